@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string_view>
+
+#include "core/base/Result.h"
+
+namespace vestige {
+
+/// A file that appears whole or not at all: it is written beside its place under another name and renamed by
+/// commit(). Destroyed without commit() it leaves what stood there before untouched and nothing of its own.
+class AtomicFile {
+  public:
+    explicit AtomicFile(std::filesystem::path place);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Makes the folder that holds the file where it is missing, and opens the stream. ErrorCode::output
+    /// otherwise.
+    Status open();
+    /// For writers that want a path (LASzip, VTK, Qt): the name to write to until commit(). It keeps the
+    /// extension.
+    const std::filesystem::path& temporaryPath() const { return temporary_; }
+    std::ofstream& stream() { return stream_; }
+    void write(std::string_view text) {
+        stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+    void write(std::span<const std::byte> bytes);
+    /// Closes and renames; ErrorCode::output when a write or the renaming failed.
+    Status commit();
+
+  private:
+    std::filesystem::path place_;
+    std::filesystem::path temporary_;
+    std::ofstream stream_;
+    bool committed_ = false;
+};
+
+/// Writes `text` as the whole content of `place`, atomically.
+Status writeTextFile(const std::filesystem::path& place, std::string_view text);
+/// The whole content of a file; ErrorCode::input when it cannot be read or is larger than `limitBytes`.
+Result<std::string> readTextFile(const std::filesystem::path& file,
+                                 std::size_t limitBytes = std::size_t{1} << 30);
+
+}  // namespace vestige

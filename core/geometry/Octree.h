@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/geometry/PointCloud.h"
+
+namespace vestige {
+
+/// One spatial index of a cloud for picking, drawing and neighbours: the points in Morton order of their
+/// offsets, and the boxes over them. Immutable; many threads may ask at once. Every answer is in a fixed
+/// order, whatever built it. Distances and positions are in the cloud's own unit and frame (offsets round its
+/// origin).
+class Octree {
+  public:
+    struct Neighbour {
+        std::uint32_t point;  ///< index into the cloud
+        float squaredDistance;
+    };
+    struct Node {
+        Eigen::Vector3f min;  ///< offsets
+        Eigen::Vector3f max;
+        std::uint32_t begin;  ///< range in order()
+        std::uint32_t end;
+        std::uint32_t firstChild;  ///< index into nodes(); 0 for a leaf
+        std::uint8_t childCount;
+    };
+
+    explicit Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize = 32);
+
+    const PointCloud& cloud() const { return *cloud_; }
+    std::shared_ptr<const PointCloud> sharedCloud() const { return cloud_; }
+    /// Point indices in Morton order; a node's points are consecutive here.
+    std::span<const std::uint32_t> order() const { return order_; }
+    /// nodes()[0] is the root; empty for an empty cloud.
+    std::span<const Node> nodes() const { return nodes_; }
+
+    /// All points within `radius` of the offset `centre`, by ascending index.
+    void radiusSearch(const Eigen::Vector3f& centre, float radius, std::vector<Neighbour>& found) const;
+    /// The `count` nearest points, nearest first, ties by index.
+    void nearest(const Eigen::Vector3f& centre, std::size_t count, std::vector<Neighbour>& found) const;
+
+    /// Mean distance of the point to its 8 nearest neighbours divided by 1.5 or so: see the implementation
+    /// for the source. The local spacing d that picking and uncertainty use.
+    float localSpacing(std::uint32_t point) const;
+
+    /// `count` indices spread evenly through space (every k-th in Morton order), for coarse drawing.
+    std::vector<std::uint32_t> coarse(std::size_t count) const;
+
+  private:
+    std::shared_ptr<const PointCloud> cloud_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace vestige

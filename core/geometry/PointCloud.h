@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/BoundingBox.h"
+#include "core/geometry/Pose.h"
+
+namespace vestige {
+
+/// 16 bits a channel, as LAS has them; 8-bit colours are held times 257, which reads back exactly.
+using Color = std::array<std::uint16_t, 3>;
+
+/// Per-point attributes. Each array is empty (the cloud does not have it) or as long as the cloud.
+struct PointAttributes {
+    std::vector<float> intensity;  ///< as in the file, no range implied
+    std::vector<Color> color;
+    std::vector<std::uint8_t> classification;  ///< ASPRS classes
+    std::vector<double> gpsTime;             ///< s, as in the file (GPS week time or adjusted standard time)
+    std::vector<Eigen::Vector3f> normal;     ///< unit length or zero
+    std::vector<std::uint16_t> pointSource;  ///< LAS point source ID
+    std::vector<std::uint8_t> returnNumber;
+    std::vector<std::uint8_t> returnCount;
+
+    /// The attributes of the points `indices`, in their order.
+    PointAttributes select(std::span<const std::uint32_t> indices) const;
+};
+
+/// Points in world coordinates, held as float offsets round the cloud's own double origin. Immutable once
+/// built (see PointCloudBuilder) and then shared between scene, view and jobs.
+class PointCloud {
+  public:
+    PointCloud() = default;
+    /// `residuals` is empty or as long as `offsets`: what a float offset cannot hold of points far from the
+    /// origin.
+    PointCloud(Eigen::Vector3d origin, std::vector<Eigen::Vector3f> offsets,
+               std::vector<Eigen::Vector3f> residuals, PointAttributes attributes);
+
+    std::size_t size() const { return offsets_.size(); }
+    bool empty() const { return offsets_.empty(); }
+
+    const Eigen::Vector3d& origin() const { return origin_; }
+    /// World = origin + offset, to half a float ulp of the offset (0.03 mm at 500 m); what numerical kernels
+    /// use.
+    const std::vector<Eigen::Vector3f>& offsets() const { return offsets_; }
+    const std::vector<Eigen::Vector3f>& residuals() const { return residuals_; }
+    /// World coordinates of point i, exact as read.
+    Eigen::Vector3d point(std::size_t i) const {
+        Eigen::Vector3d world = origin_ + offsets_[i].cast<double>();
+        if (!residuals_.empty()) world += residuals_[i].cast<double>();
+        return world;
+    }
+
+    const PointAttributes& attributes() const { return attributes_; }
+    /// World bounds; empty for an empty cloud.
+    const BoundingBox& bounds() const { return bounds_; }
+
+    /// The points `indices` in their order, with their attributes and the same origin.
+    PointCloud select(std::span<const std::uint32_t> indices) const;
+    /// Every point (and normal) moved; the origin moves along in double.
+    PointCloud transformed(const Similarity& toFromHere) const;
+    /// The same points with other attributes.
+    PointCloud withAttributes(PointAttributes attributes) const;
+
+  private:
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3f> offsets_;
+    std::vector<Eigen::Vector3f> residuals_;
+    PointAttributes attributes_;
+    BoundingBox bounds_;
+};
+
+}  // namespace vestige

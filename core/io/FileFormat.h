@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/JobControl.h"
+#include "core/base/Result.h"
+#include "core/geometry/TriangleMesh.h"
+#include "core/io/FileInfo.h"
+
+namespace vestige {
+
+/// What a reader returns: points (and triangles) in the file's own unit, and what the file says about itself.
+struct LoadedGeometry {
+    TriangleMesh geometry;
+    FileInfo info;
+};
+
+struct WriteOptions {
+    /// From the source of the data: CRS, scale and offset, GPS time kind are carried on where the format has
+    /// them.
+    const FileInfo* source = nullptr;
+};
+
+/// One file format: recognises, describes, reads and, where it can, writes. Stateless; any thread may call
+/// it.
+class FileFormat {
+  public:
+    virtual ~FileFormat() = default;
+    virtual std::string_view id() const = 0;                  ///< "las"
+    virtual std::string_view title() const = 0;               ///< "LAS point cloud", for open dialogs
+    virtual std::vector<std::string> extensions() const = 0;  ///< lower case, without dot
+    virtual bool canWrite() const { return false; }
+    /// True when the first bytes (up to 4096) are of this format; text formats may go by the extension.
+    virtual bool recognises(std::span<const std::byte> head, std::string_view extension) const = 0;
+
+    /// Header facts; reads points only where the format has no header that knows (bounds of text, for
+    /// instance).
+    virtual Result<FileInfo> info(const std::filesystem::path& file, const JobControl& control) const = 0;
+    virtual Result<LoadedGeometry> read(const std::filesystem::path& file,
+                                        const JobControl& control) const = 0;
+    /// Atomic: beside, then rename. ErrorCode::output on failure.
+    virtual Status write(const std::filesystem::path& file, const TriangleMesh& geometry,
+                         const WriteOptions& options, const JobControl& control) const;
+};
+
+}  // namespace vestige

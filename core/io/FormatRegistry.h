@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/io/FileFormat.h"
+
+namespace vestige {
+
+/// Every format Vestige knows, in the order in which they are tried; readers, dialogs and docs go through
+/// here.
+const std::vector<std::unique_ptr<FileFormat>>& fileFormats();
+
+/// The format that recognises the file's head, else by extension. ErrorCode::input names the file and what is
+/// readable.
+Result<const FileFormat*> formatOfFile(const std::filesystem::path& file);
+/// The writing format of a path's extension. ErrorCode::usage lists what can be written.
+Result<const FileFormat*> formatForWriting(const std::filesystem::path& file);
+
+/// formatOfFile(...)->info / read, with every coordinate checked finite, and for `info` the SHA-256.
+Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& control = {});
+Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const JobControl& control = {});
+Status writeGeometry(const std::filesystem::path& file, const TriangleMesh& geometry,
+                     const WriteOptions& options = {}, const JobControl& control = {});
+
+}  // namespace vestige

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/pipeline/ViewRenderer.h"
+#include "core/scene/MeasuredScene.h"
+#include "core/scene/Scene.h"
+
+namespace vestige {
+
+/// The scene's visible, loaded layers as a picture shows them. With `before` the registered layers stand at
+/// their first pose. Residuals are computed when `overlay` asks for them. The camera is that of the caller.
+ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay,
+                             bool before = false);
+
+/// Marks for the measured lengths (mean ends of the repeats), for `describeView(...).marks`.
+std::vector<ViewMark> measurementMarks(const SceneState& scene, const MeasuredScene& measured);
+
+}  // namespace vestige

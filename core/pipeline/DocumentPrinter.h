@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/JobControl.h"
+#include "core/base/Result.h"
+#include "core/report/Section.h"
+
+namespace vestige {
+
+/// Sets a report as PDF/A-1b; ui/print implements it, both mains hand it to the pipeline.
+class DocumentPrinter {
+  public:
+    virtual ~DocumentPrinter() = default;
+    /// Atomic; ErrorCode::output on failure.
+    virtual Status printPdf(const Report& report, const std::filesystem::path& pdf,
+                            const JobControl& control) = 0;
+};
+
+}  // namespace vestige

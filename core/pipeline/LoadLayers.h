@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/base/JobControl.h"
+#include "core/base/Result.h"
+#include "core/scene/Scene.h"
+
+namespace vestige {
+
+/// Reads and hashes one file and builds its octree; any thread.
+Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::path& file,
+                                                       const JobControl& control);
+
+}  // namespace vestige

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/base/Units.h"
+#include "core/geometry/TriangleMesh.h"
+
+namespace vestige {
+
+/// One corresponding pair of picked points, each in the unit of its own file.
+struct PointPair {
+    Eigen::Vector3d target;
+    Eigen::Vector3d source;
+};
+
+struct PairAlignment {
+    Similarity targetFromSource;
+    std::vector<double> residuals_m;  ///< |target - targetFromSource * source| of each pair
+    double rms_m = 0;
+};
+
+/// The least-squares rigid pose of three pairs or more for a known scale (Arun et al. 1987, Umeyama 1991).
+/// ErrorCode::untrustworthy when the points lie on a line or coincide; ErrorCode::input for fewer than three
+/// pairs.
+Result<PairAlignment> alignPairs(std::span<const PointPair> pairs, double metresPerSourceUnit);
+
+/// picks.csv: header `tx,ty,tz,sx,sy,sz`, a pair a row, three rows or more. ErrorCode::input names file and
+/// line.
+Result<std::vector<PointPair>> readPointPairs(const std::filesystem::path& file);
+
+/// {"pose": [16], "scale": s}. ErrorCode::input names the file and the field.
+Result<Similarity> readPoseFile(const std::filesystem::path& file);
+Status writePoseFile(const std::filesystem::path& file, const Similarity& targetFromSource);
+
+/// What unit a scan's coordinates are in, with a sentence for the user that says why.
+struct UnitGuess {
+    LengthUnit unit = LengthUnit::metre;
+    bool certain = false;
+    std::string reason;
+};
+/// From the pairs' distance ratio where there are pairs (certain), else from the extent and the point spacing
+/// of the source against the target: a scan of over 50 times the target's plausible size is in millimetres.
+UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs);
+
+}  // namespace vestige

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace vestige {
+
+/// Blocks of a report, as content without layout; ui/print sets them, CSV and tests read them.
+struct Paragraph {
+    std::string text;
+};
+struct Facts {
+    std::vector<std::pair<std::string, std::string>> rows;  ///< name, value
+};
+struct Table {
+    std::string caption;
+    std::vector<std::string> columns;
+    std::vector<bool> numeric;  ///< right-aligned; one per column
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::size_t> emphasised;  ///< rows to set off, e.g. excluded objects
+    std::vector<double> widths;           ///< relative; empty: by content
+};
+struct Picture {
+    std::filesystem::path png;
+    std::string caption;
+};
+struct BarChart {
+    std::string caption;
+    std::string unit;  ///< of the axis, e.g. "%"
+    std::vector<std::string> categories;
+    struct Series {
+        std::string name;
+        std::vector<std::optional<double>> values;  ///< one per category
+    };
+    std::vector<Series> series;
+};
+using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart>;
+
+struct Section {
+    std::string title;
+    std::vector<Block> blocks;
+};
+
+struct Report {
+    std::string title;
+    std::string subtitle;
+    std::string caseName;
+    std::string operatorName;
+    std::string date;  ///< ISO 8601, local to the run
+    std::string software;
+    std::vector<Section> sections;
+};
+
+}  // namespace vestige

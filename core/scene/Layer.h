@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/base/Units.h"
+#include "core/geometry/Octree.h"
+#include "core/geometry/TriangleMesh.h"
+#include "core/io/FileInfo.h"
+#include "core/registration/RegistrationResult.h"
+
+namespace vestige {
+
+enum class LayerRole { aerial, handheld, photogrammetry };
+std::string_view name(LayerRole role);
+std::optional<LayerRole> layerRoleFromName(std::string_view name);
+
+/// Heavy data of a layer: read once, never changed, shared by scene, view, jobs and undo.
+struct LayerData {
+    std::shared_ptr<const TriangleMesh> geometry;  ///< as read, file unit
+    std::shared_ptr<const PointCloud> points;      ///< aliases geometry->vertices
+    std::shared_ptr<const Octree> octree;          ///< over `points`
+    FileInfo info;
+    std::string sha256;
+};
+
+/// Where a layer's registration starts.
+struct InitIdentity {};
+struct InitPicks {
+    std::filesystem::path picks;  ///< relative to the case
+};
+struct InitPose {
+    Similarity targetFromSource;
+};
+struct InitAuto {};
+using InitialPoseSpec = std::variant<InitIdentity, InitPicks, InitPose, InitAuto>;
+
+/// One cloud or mesh of a case.
+struct Layer {
+    std::string id;    ///< unique in the case
+    std::string name;  ///< for people; the id where the case gives none
+    LayerRole role = LayerRole::aerial;
+    std::string method;              ///< the column its picks count for: "lidar", "photogrammetry"
+    std::filesystem::path path;      ///< as in the case file
+    std::optional<LengthUnit> unit;  ///< nothing: recognised
+    InitialPoseSpec init;
+    bool visible = true;
+    std::array<std::uint8_t, 3> tint{160, 180, 200};  ///< colour by source
+
+    std::shared_ptr<const LayerData> data;           ///< null until loaded
+    std::optional<RegistrationResult> registration;  ///< null until registered
+
+    /// Metres in the layer's own frame from file units (the unit given, else metres).
+    double metresPerUnit() const { return metresPer(unit.value_or(LengthUnit::metre)); }
+};
+
+/// Where the layer lies in the scene: its registration if it has one, else just its unit.
+Similarity sceneFromLayer(const Layer& layer);
+
+}  // namespace vestige

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QPoint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/Picking.h"
+#include "core/pipeline/ViewRenderer.h"
+#include "ui/view/ViewSurface.h"
+#include "ui/view/ViewTool.h"
+
+namespace vestige {
+
+/// The 3D view: shows a ViewDescription on a surface, navigates, and picks with the one picking function of
+/// core. Points are drawn coarse while the camera moves and complete when it stands still. GUI thread only.
+class SceneView : public QObject {
+    Q_OBJECT
+
+  public:
+    SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent);
+    ~SceneView() override;
+
+    QWidget* widget() const;
+
+    /// Shows `view`; its camera is taken the first time and when `resetCamera`, else the present one stays.
+    /// Layers whose geometry pointer and pose are unchanged are not uploaded again.
+    void show(ViewDescription view, bool resetCamera = false);
+    const ViewDescription& description() const;
+
+    /// Octrees of the layers in `description().layers`, by the same index; what is not visible takes no part.
+    void setPickIndex(std::vector<std::shared_ptr<const Octree>> octrees);
+    /// The pick at a position of the widget, in the camera shown now.
+    std::optional<Pick> pickAt(const QPoint& position) const;
+
+    ViewCamera camera() const;
+    void setCamera(const ViewCamera& camera);
+    void showNamedView(NamedView view);
+
+    /// The active tool; null for navigation alone. Not owned.
+    void setTool(ViewTool* tool);
+    ViewTool* tool() const;
+
+    /// A pair in the making: the first end and the point under the cursor; nothing hides it.
+    void setPendingMark(std::optional<ViewMark> mark);
+
+    /// The picture as shown, without the window round it.
+    QImage grab();
+
+  signals:
+    void cameraChanged();
+
+  private:
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace vestige
