@@ -27,6 +27,7 @@ struct Table {
 struct Picture {
     std::filesystem::path png;
     std::string caption;
+    double width = 1;  ///< share of the text's width; two of 0.5 that follow each other stand side by side
 };
 struct BarChart {
     std::string caption;
@@ -35,6 +36,7 @@ struct BarChart {
     struct Series {
         std::string name;
         std::vector<std::optional<double>> values;  ///< one per category
+        std::vector<bool> excluded;                 ///< one per category, or empty: none
     };
     std::vector<Series> series;
 };

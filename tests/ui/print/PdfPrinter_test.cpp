@@ -1,0 +1,140 @@
+#include "ui/print/PdfPrinter.h"
+
+#include <QImage>
+#include <QRegularExpression>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include "core/base/AtomicFile.h"
+#include "tests/support/TestPaths.h"
+#include "tests/ui/print/PdfFile.h"
+
+namespace vestige {
+namespace {
+
+using test::PdfObject;
+using test::readPdf;
+using test::TemporaryFolder;
+
+/// A picture with an alpha channel, as a careless renderer might give it.
+std::filesystem::path translucentPng(const TemporaryFolder& folder) {
+    QImage image(280, 180, QImage::Format_ARGB32);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) image.setPixelColor(x, y, QColor(x % 256, y, 90, 128));
+    const auto png = folder / "view.png";
+    image.save(QString::fromStdString(png.string()));
+    return png;
+}
+
+Report reportOfEveryBlock(const std::filesystem::path& png, int rows) {
+    Report report;
+    report.title = "Measurement report";
+    report.subtitle = "Road-accident scene";
+    report.caseName = "Two cars <A & B>";
+    report.operatorName = "M. Muster";
+    report.date = "2026-11-22T07:00:00Z";
+    report.software = "Vestige 0.1.0";
+    Table table{"Measured lengths",
+                {"Object", "Method", "Tape (m)", "Mean (m)", "RE (%)"},
+                {false, false, true, true, true},
+                {},
+                {1},
+                {}};
+    for (int i = 0; i < rows; ++i)
+        table.rows.push_back(
+            {"Right rear-view mirror of vehicle " + std::to_string(i), "lidar", "0.21", "0.2143", "+2.0"});
+    BarChart chart{"Relative error by object", "%", {"Length of the white vehicle", "Width", "Mirror"}, {}};
+    chart.series.push_back({"lidar", {0.4, -1.2, 7.5}, {false, false, true}});
+    chart.series.push_back({"photogrammetry", {1.4, {}, -3.0}, {}});
+    report.sections = {
+        {"Facts", {Paragraph{"A sentence that explains."}, Facts{{{"SHA-256", std::string(64, 'a')}}}}},
+        {"Table", {table}},
+        {"Pictures",
+         {Picture{png, "The whole scene", 1}, Picture{png, "Left", 0.5}, Picture{png, "Right", 0.5}, chart}}};
+    return report;
+}
+
+class PdfPrinting : public testing::Test {
+  protected:
+    void print(int rows = 12) {
+        PdfPrinter printer;
+        const Status printed = printer.printPdf(reportOfEveryBlock(translucentPng(folder), rows), pdf, {});
+        ASSERT_TRUE(printed) << printed.error().sentence();
+        objects = readPdf(pdf);
+        ASSERT_GT(objects.size(), 10u);
+    }
+
+    int countIn(const QRegularExpression& pattern) const {
+        int count = 0;
+        for (const PdfObject& object : objects)
+            count += pattern.match(QString::fromLatin1(object.dictionary)).hasMatch() ? 1 : 0;
+        return count;
+    }
+
+    TemporaryFolder folder;
+    std::filesystem::path pdf = folder / "report.pdf";
+    std::vector<PdfObject> objects;
+};
+
+TEST_F(PdfPrinting, PaintsNothingTranslucent) {
+    print();
+    const QRegularExpression alpha("/(?:ca|CA)\\s+([0-9.]+)");
+    for (const PdfObject& object : objects) {
+        const QString text = QString::fromLatin1(object.dictionary);
+        for (auto found = alpha.globalMatch(text); found.hasNext();)
+            EXPECT_EQ(found.next().captured(1).toDouble(), 1.0) << object.dictionary.constData();
+        EXPECT_FALSE(QRegularExpression("/SMask\\s+(?!/None)").match(text).hasMatch());
+        EXPECT_FALSE(text.contains("/Transparency"));
+        EXPECT_FALSE(QRegularExpression("/Interpolate\\s+true").match(text).hasMatch());
+    }
+    EXPECT_EQ(countIn(QRegularExpression("/Subtype\\s*/Image")), 3)
+        << "the pictures are in the file, without masks";
+}
+
+TEST_F(PdfPrinting, EmbedsEveryFont) {
+    print();
+    const int fonts = countIn(QRegularExpression("/Type\\s*/FontDescriptor"));
+    EXPECT_GE(fonts, 2);
+    EXPECT_EQ(countIn(QRegularExpression("/FontFile[23]?\\s+\\d+ 0 R")), fonts);
+    EXPECT_EQ(countIn(QRegularExpression("/BaseFont\\s*/(Helvetica|Times|Courier)")), 0);
+}
+
+TEST_F(PdfPrinting, SaysThatItIsPdfA1bInSrgb) {
+    print();
+    EXPECT_EQ(countIn(QRegularExpression("/S\\s*/GTS_PDFA1")), 1);
+    QByteArray metadata;
+    for (const PdfObject& object : objects)
+        if (object.dictionary.contains("/Metadata") && !object.stream.isEmpty()) metadata = object.stream;
+    EXPECT_TRUE(QRegularExpression("pdfaid:part.{0,2}1").match(QString::fromUtf8(metadata)).hasMatch());
+    EXPECT_TRUE(
+        QRegularExpression("pdfaid:conformance.{0,2}B").match(QString::fromUtf8(metadata)).hasMatch());
+    EXPECT_TRUE(metadata.contains("Two cars &lt;A &amp; B&gt;")) << "the case's name must not break the XML";
+}
+
+TEST_F(PdfPrinting, BreaksLongTablesAcrossPages) {
+    print(12);
+    const int few = countIn(QRegularExpression("/Type\\s*/Page\\b"));
+    print(150);
+    EXPECT_GE(countIn(QRegularExpression("/Type\\s*/Page\\b")), few + 2);
+}
+
+TEST_F(PdfPrinting, LeavesWhatStoodThereWhenAPictureIsMissing) {
+    ASSERT_TRUE(writeTextFile(pdf, "before"));
+    const Status printed = PdfPrinter().printPdf(reportOfEveryBlock(folder / "absent.png", 3), pdf, {});
+    ASSERT_FALSE(printed);
+    EXPECT_EQ(printed.error().code, ErrorCode::output);
+    EXPECT_NE(printed.error().sentence().find("absent.png"), std::string::npos);
+    EXPECT_EQ(readTextFile(pdf).value(), "before");
+}
+
+TEST_F(PdfPrinting, StopsWhenCancelled) {
+    const JobControl control;
+    control.cancel();
+    const Status printed = PdfPrinter().printPdf(reportOfEveryBlock(translucentPng(folder), 3), pdf, control);
+    ASSERT_FALSE(printed);
+    EXPECT_EQ(printed.error().code, ErrorCode::cancelled);
+    EXPECT_FALSE(std::filesystem::exists(pdf));
+}
+
+}  // namespace
+}  // namespace vestige
