@@ -18,6 +18,7 @@ struct NeighbourhoodOptions {
 
 /// Each point replaced by a statistic of its neighbours within `radius`, itself included (METHOD section 2):
 /// mean, component-wise median, or mean weighted by exp(-d^2 / (2 (radius/2)^2)). Attributes and order stay.
+/// ErrorCode::usage for a radius outside Spacing.h's bounds.
 Result<PointCloud> filterNeighbourhood(const PointCloud& cloud, const NeighbourhoodOptions& options,
                                        const JobControl& control = {});
 

@@ -16,7 +16,9 @@ struct OutlierOptions {
     int minimumNeighbours = 2;  ///< radius: points with fewer are dropped
 };
 
-/// The cloud without its outliers, order and attributes kept.
+/// The cloud without its outliers, order and attributes kept. The point itself is no neighbour of its own.
+/// ErrorCode::usage for numbers of neighbours below 1, negative sigmas, or a radius outside Spacing.h's
+/// bounds.
 Result<PointCloud> removeOutliers(const PointCloud& cloud, const OutlierOptions& options,
                                   const JobControl& control = {});
 

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/JobControl.h"
+#include "core/geometry/PointCloud.h"
+
+namespace vestige {
+
+/// The points of a cloud sorted into the cubic cells of a grid whose corner is the world origin, so that the
+/// cells do not depend on the cloud's own origin. Cells come in ascending order of their index along x, then
+/// y, then z; the points of one cell in ascending order of their own index.
+class CellGrid {
+  public:
+    /// Cells along each axis; a cell's index fits 63 bits.
+    static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 21;
+
+    /// Whether cells of this size (cloud's unit) cover the cloud within kMostCells along each axis.
+    static bool covers(const PointCloud& cloud, double size);
+    /// The smallest size from `size` up that covers the cloud.
+    static double coveringSize(const PointCloud& cloud, double size);
+
+    /// `size` > 0 covers the cloud. Throws ErrorException when the job is cancelled.
+    CellGrid(const PointCloud& cloud, double size, const JobControl& control);
+
+    double size() const { return size_; }
+    std::size_t cellCount() const { return keys_.size(); }
+    /// Indices into the cloud, cell after cell.
+    std::span<const std::uint32_t> order() const { return order_; }
+    /// The range of a cell, or of consecutive cells, in order().
+    std::uint32_t begin(std::size_t cell) const { return begins_[cell]; }
+    std::uint32_t end(std::size_t cell) const { return begins_[cell + 1]; }
+    std::span<const std::uint32_t> points(std::size_t cell) const {
+        return order().subspan(begin(cell), end(cell) - begin(cell));
+    }
+    /// x, y and z of the cell, 21 bits each and x highest, counted from one below the cloud's first cell: a
+    /// neighbour's key is this one plus its steps, without overflow from axis to axis.
+    std::uint64_t key(std::size_t cell) const { return keys_[cell]; }
+    static std::uint64_t key(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+        return x << 42 | y << 21 | z;
+    }
+    /// World coordinates of the cell's corner of least x, y and z.
+    Eigen::Vector3d corner(std::size_t cell) const;
+    /// The first cell whose key is not below this one; cellCount() when there is none.
+    std::size_t firstCell(std::uint64_t key) const;
+
+  private:
+    double size_;
+    Eigen::Vector3d base_;  ///< in cells
+    std::vector<std::uint32_t> order_;
+    std::vector<std::uint64_t> keys_;
+    std::vector<std::uint32_t> begins_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,110 @@
+#include "core/filters/NearbyPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/base/Parallel.h"
+#include "core/filters/CellGrid.h"
+#include "core/filters/LoopProgress.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kCellGrain = 128;
+/// Beyond any radius, and its square is still a float.
+constexpr float kFarAway = 1e18F;
+
+/// For each point in the grid's order, its place relative to its cell's corner.
+std::vector<Eigen::Vector3f> placesInCells(const PointCloud& cloud, const CellGrid& grid) {
+    std::vector<Eigen::Vector3f> places(cloud.size());
+    parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            const Eigen::Vector3d corner = grid.corner(cell);
+            for (std::uint32_t at = grid.begin(cell); at < grid.end(cell); ++at)
+                places[at] = (cloud.point(grid.order()[at]) - corner).cast<float>();
+        }
+    });
+    return places;
+}
+
+/// Collects the nearby points of cells that are asked for in ascending order. The 27 neighbours lie in 9
+/// columns along z; in each a cursor runs along with the cells.
+class Collector {
+  public:
+    Collector(const CellGrid& grid, const std::vector<Eigen::Vector3f>& places, std::size_t firstCell)
+        : grid_(grid), places_(places) {
+        for (int column = 0; column < 9; ++column)
+            cursors_[static_cast<std::size_t>(column)] = grid.firstCell(below(grid.key(firstCell), column));
+    }
+
+    NearbyPoints collect(std::size_t cell) {
+        x_.clear();
+        y_.clear();
+        z_.clear();
+        NearbyPoints nearby;
+        nearby.own = grid_.points(cell);
+        for (int column = 0; column < 9; ++column) {
+            const std::uint64_t lowest = below(grid_.key(cell), column);
+            std::size_t& cursor = cursors_[static_cast<std::size_t>(column)];
+            while (cursor < grid_.cellCount() && grid_.key(cursor) < lowest) ++cursor;
+            for (std::size_t other = cursor; other < grid_.cellCount() && grid_.key(other) <= lowest + 2;
+                 ++other) {
+                if (other == cell) nearby.firstOwn = x_.size();
+                const double up = static_cast<double>(grid_.key(other) - lowest) - 1;
+                add(other, Eigen::Vector3d(column / 3 - 1, column % 3 - 1, up));
+            }
+        }
+        nearby.count = x_.size();
+        const std::size_t filled =
+            (nearby.count + NearbyPoints::kLanes - 1) / NearbyPoints::kLanes * NearbyPoints::kLanes;
+        for (auto* axis : {&x_, &y_, &z_}) axis->resize(filled, kFarAway);
+        nearby.x = x_;
+        nearby.y = y_;
+        nearby.z = z_;
+        return nearby;
+    }
+
+  private:
+    /// The key of the lowest of the three neighbours in a column.
+    static std::uint64_t below(std::uint64_t key, int column) {
+        return key + CellGrid::key(static_cast<std::uint64_t>(column / 3), 0, 0) +
+               CellGrid::key(0, static_cast<std::uint64_t>(column % 3), 0) - CellGrid::key(1, 1, 1);
+    }
+
+    void add(std::size_t other, const Eigen::Vector3d& steps) {
+        const Eigen::Vector3f shift = (steps * grid_.size()).cast<float>();
+        for (std::uint32_t at = grid_.begin(other); at < grid_.end(other); ++at) {
+            x_.push_back(places_[at].x() + shift.x());
+            y_.push_back(places_[at].y() + shift.y());
+            z_.push_back(places_[at].z() + shift.z());
+        }
+    }
+
+    const CellGrid& grid_;
+    const std::vector<Eigen::Vector3f>& places_;
+    std::array<std::size_t, 9> cursors_{};
+    std::vector<float> x_;
+    std::vector<float> y_;
+    std::vector<float> z_;
+};
+
+}  // namespace
+
+void forNearbyPoints(const PointCloud& cloud, double radius, const std::string& step,
+                     const JobControl& control, const std::function<void(const NearbyPoints&)>& use) {
+    // A hair wider than the radius: rounding may not put a neighbour two cells away.
+    const CellGrid grid(cloud, CellGrid::coveringSize(cloud, radius * (1 + 1e-6)), control);
+    const std::vector<Eigen::Vector3f> places = placesInCells(cloud, grid);
+    LoopProgress progress(control, cloud.size(), step);
+    parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
+        Collector collector(grid, places, begin);
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            use(collector.collect(cell));
+            progress.check();
+        }
+        progress.done(grid.begin(end) - grid.begin(begin));
+    });
+}
+
+}  // namespace vestige

@@ -1,0 +1,109 @@
+#include "core/filters/Outliers.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/Numbers.h"
+#include "core/base/Parallel.h"
+#include "core/filters/LoopProgress.h"
+#include "core/filters/NearbyPoints.h"
+#include "core/filters/Spacing.h"
+#include "core/geometry/Octree.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kGrain = 1024;
+
+/// For every point, the mean distance to its `count` nearest others.
+std::vector<float> neighbourDistances(const PointCloud& cloud, std::size_t count, const JobControl& control) {
+    const std::shared_ptr<const PointCloud> borrowed(std::shared_ptr<void>{}, &cloud);
+    const Octree octree(borrowed);
+    LoopProgress progress(control, cloud.size(), "outliers");
+    std::vector<float> distances(cloud.size(), 0);
+    // In Morton order, where one search finds in the cache what the search before it has used.
+    parallelFor(cloud.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        std::vector<Octree::Neighbour> found;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t point = octree.order()[i];
+            octree.nearest(cloud.offsets()[point], count + 1, found);
+            double sum = 0;
+            for (std::size_t other = 1; other < found.size(); ++other)
+                sum += std::sqrt(static_cast<double>(found[other].squaredDistance));
+            distances[point] = static_cast<float>(sum / static_cast<double>(found.size() - 1));
+        }
+        progress.done(end - begin);
+    });
+    return distances;
+}
+
+/// mean + sigmas * SD (n - 1) of the values.
+double statisticalLimit(const std::vector<float>& values, double sigmas) {
+    const auto size = static_cast<double>(values.size());
+    const auto sumOf = [&](const auto& term) {
+        return parallelSum(values.size(), 65536, 0.0, [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (std::size_t i = begin; i < end; ++i) sum += term(static_cast<double>(values[i]));
+            return sum;
+        });
+    };
+    const double mean = sumOf([](double value) { return value; }) / size;
+    const double squares = sumOf([&](double value) { return (value - mean) * (value - mean); });
+    return mean + sigmas * std::sqrt(squares / (size - 1));
+}
+
+PointCloud withoutStatistical(const PointCloud& cloud, const OutlierOptions& options,
+                              const JobControl& control) {
+    const auto distances = neighbourDistances(cloud, static_cast<std::size_t>(options.neighbours), control);
+    const double limit = statisticalLimit(distances, options.sigmas);
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t i = 0; i < cloud.size(); ++i)
+        if (static_cast<double>(distances[i]) <= limit) kept.push_back(i);
+    return cloud.select(kept);
+}
+
+PointCloud withoutLonely(const PointCloud& cloud, const OutlierOptions& options, const JobControl& control) {
+    const double radius = options.radius > 0 ? options.radius : automaticRadius(cloud);
+    // Points that all coincide have all the neighbours one can ask for.
+    if (radius < kLeastRadius) return cloud;
+    const auto single = static_cast<float>(radius);
+    const auto needed = static_cast<std::size_t>(options.minimumNeighbours) + 1;  // itself is found too
+    std::vector<std::uint8_t> keep(cloud.size(), 0);
+    forNearbyPoints(cloud, radius, "outliers", control, [&](const NearbyPoints& nearby) {
+        for (std::size_t i = 0; i < nearby.own.size(); ++i) {
+            const std::size_t self = nearby.firstOwn + i;
+            std::size_t within = 0;
+            for (std::size_t at = 0; at < nearby.count && within < needed; ++at) {
+                const float dx = nearby.x[at] - nearby.x[self];
+                const float dy = nearby.y[at] - nearby.y[self];
+                const float dz = nearby.z[at] - nearby.z[self];
+                within += dx * dx + dy * dy + dz * dz <= single * single;
+            }
+            keep[nearby.own[i]] = within >= needed;
+        }
+    });
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t i = 0; i < cloud.size(); ++i)
+        if (keep[i]) kept.push_back(i);
+    return cloud.select(kept);
+}
+
+}  // namespace
+
+Result<PointCloud> removeOutliers(const PointCloud& cloud, const OutlierOptions& options,
+                                  const JobControl& control) {
+    if (options.method == OutlierMethod::none || cloud.size() < 2) return cloud;
+    if (options.neighbours < 1 || options.minimumNeighbours < 1)
+        return fail(ErrorCode::usage, "outliers need a number of neighbours of at least 1", "outliers");
+    if (!(options.sigmas >= 0) || !std::isfinite(options.sigmas))
+        return fail(ErrorCode::usage,
+                    "the limit of " + exactText(options.sigmas) + " standard deviations is not allowed",
+                    "outliers", "expected a number from 0 up");
+    if (const Status checked = checkRadius(options.radius); !checked) return fail(checked.error());
+    return guarded("outliers", [&]() -> Result<PointCloud> {
+        return options.method == OutlierMethod::statistical ? withoutStatistical(cloud, options, control)
+                                                            : withoutLonely(cloud, options, control);
+    });
+}
+
+}  // namespace vestige

@@ -1,0 +1,108 @@
+#include "core/filters/VoxelDownsample.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/Numbers.h"
+#include "core/base/Parallel.h"
+#include "core/filters/CellAttributes.h"
+#include "core/filters/CellGrid.h"
+#include "core/filters/LoopProgress.h"
+#include "core/geometry/PointCloudBuilder.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kCellGrain = 4096;
+
+/// Mean of the cell's points, summed from the cell's corner so that no digit is lost far from the origin.
+Eigen::Vector3d centroid(const PointCloud& cloud, const CellGrid& grid, std::size_t cell) {
+    const Eigen::Vector3d corner = grid.corner(cell);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const std::uint32_t point : grid.points(cell)) sum += cloud.point(point) - corner;
+    return corner + sum / static_cast<double>(grid.points(cell).size());
+}
+
+std::uint32_t nearestTo(const Eigen::Vector3d& place, const PointCloud& cloud,
+                        std::span<const std::uint32_t> points) {
+    std::uint32_t best = points.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t point : points) {
+        const double distance = (cloud.point(point) - place).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best = point;
+    }
+    return best;
+}
+
+PointCloud represented(const PointCloud& cloud, double size, VoxelRepresentative representative,
+                       const JobControl& control) {
+    const CellGrid grid(cloud, size, control);
+    LoopProgress progress(control, grid.cellCount(), "voxels");
+    if (representative == VoxelRepresentative::nearest) {
+        std::vector<std::uint32_t> chosen(grid.cellCount());
+        parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell)
+                chosen[cell] = nearestTo(centroid(cloud, grid, cell), cloud, grid.points(cell));
+            progress.done(end - begin);
+        });
+        return cloud.select(chosen);
+    }
+    PointCloudBuilder builder(cloud.origin());
+    builder.resize(grid.cellCount());
+    parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell)
+            builder.setPoint(cell, centroid(cloud, grid, cell));
+        progress.done(end - begin);
+    });
+    builder.attributes() = averagedAttributes(cloud.attributes(), grid);
+    return std::move(builder).build();
+}
+
+Status checkSize(const PointCloud& cloud, double size) {
+    if (!(size > 0) || !std::isfinite(size))
+        return fail(ErrorCode::usage, "the voxel size " + exactText(size) + " is not a length", "voxel",
+                    "expected a number above 0");
+    if (!CellGrid::covers(cloud, size))
+        return fail(ErrorCode::usage,
+                    "the cloud is " + exactText(cloud.bounds().extent().maxCoeff()) +
+                        " long and has too many voxels of size " + exactText(size) + " along one side",
+                    "voxel", "expected at most 2097149; a larger voxel is needed");
+    return {};
+}
+
+}  // namespace
+
+Result<PointCloud> downsample(const PointCloud& cloud, double size, VoxelRepresentative representative,
+                              const JobControl& control) {
+    if (const Status checked = checkSize(cloud, size); !checked) return fail(checked.error());
+    return guarded("voxel",
+                   [&]() -> Result<PointCloud> { return represented(cloud, size, representative, control); });
+}
+
+Result<std::vector<VoxelLevel>> downsampleLevels(const PointCloud& cloud, double finest, double coarsest,
+                                                 VoxelRepresentative representative,
+                                                 const JobControl& control) {
+    if (!(coarsest >= finest) || !std::isfinite(coarsest))
+        return fail(
+            ErrorCode::usage,
+            "the coarsest voxel " + exactText(coarsest) + " is smaller than the finest " + exactText(finest),
+            "voxel");
+    if (const Status checked = checkSize(cloud, finest); !checked) return fail(checked.error());
+    std::vector<double> sizes;
+    // A millionth of room, so that a coarsest size given as a rounded step of the schedule is reached.
+    for (double size = finest; size <= coarsest * (1 + 1e-6); size /= kVoxelFactor) sizes.push_back(size);
+    std::vector<VoxelLevel> levels;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const auto part = [&](std::size_t step) {
+            return static_cast<double>(step) / static_cast<double>(sizes.size());
+        };
+        auto level = downsample(cloud, sizes[i], representative, control.sub(part(i), part(i + 1)));
+        if (!level) return fail(level.error());
+        levels.push_back({sizes[i], std::move(*level)});
+    }
+    return levels;
+}
+
+}  // namespace vestige
