@@ -23,6 +23,7 @@ class SceneView : public QObject {
     SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent);
     ~SceneView() override;
 
+    /// Children of it (a floating tool bar) stand over the picture.
     QWidget* widget() const;
 
     /// Shows `view`; its camera is taken the first time and when `resetCamera`, else the present one stays.
@@ -46,11 +47,16 @@ class SceneView : public QObject {
     /// A pair in the making: the first end and the point under the cursor; nothing hides it.
     void setPendingMark(std::optional<ViewMark> mark);
 
-    /// The picture as shown, without the window round it.
+    /// Draws at once what is still missing of a picture that is built up step by step.
+    void completePicture();
+    /// The complete picture, without the window round it. Null before the widget is shown.
     QImage grab();
 
   signals:
     void cameraChanged();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     struct Private;

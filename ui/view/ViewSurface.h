@@ -9,16 +9,17 @@ class vtkRenderWindow;
 namespace vestige {
 
 /// The widget that shows the 3D picture and the VTK window that draws it. Two kinds exist:
-/// QVTKOpenGLNativeWidget in the desktop program, and a plain widget that paints the frames of an OSMesa
-/// window off screen.
+/// QVTKOpenGLNativeWidget in the desktop program, and a plain widget that paints the frames of an off-screen
+/// context.
 class ViewSurface {
   public:
     virtual ~ViewSurface() = default;
-    /// Owned by its Qt parent.
+    /// Owned by its Qt parent; lives at least as long as this object.
     virtual QWidget* widget() = 0;
     virtual vtkRenderWindow& renderWindow() = 0;
-    /// Shows the current state soon; several calls before the next paint draw once.
-    virtual void requestFrame() = 0;
+    /// Draws the window's present state and shows it; waits until it is drawn. False (and nothing drawn)
+    /// while the widget has no context yet.
+    virtual bool drawFrame() = 0;
 };
 
 /// Given to MainWindow by the program's main.

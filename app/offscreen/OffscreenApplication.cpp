@@ -1,0 +1,42 @@
+#include "app/offscreen/OffscreenApplication.h"
+
+#include <array>
+
+#include "app/offscreen/OsMesaContext.h"
+#include "ui/view/PaintedSurface.h"
+#include "ui/view/PictureRenderer.h"
+
+namespace vestige {
+
+struct OffscreenApplication::Private {
+    // QApplication keeps references to both for its whole life.
+    std::array<char, 12> program{"vestige-cli"};
+    std::array<char*, 2> arguments{program.data(), nullptr};
+    int count = 1;
+    std::unique_ptr<QApplication> application;
+};
+
+OffscreenApplication::OffscreenApplication() : d_(std::make_unique<Private>()) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // The same picture on every machine, whatever the desktop of the user asks for.
+    qputenv("QT_SCALE_FACTOR", "1");
+    qunsetenv("QT_QPA_PLATFORMTHEME");
+    qunsetenv("QT_STYLE_OVERRIDE");
+    d_->application = std::make_unique<QApplication>(d_->count, d_->arguments.data());
+}
+
+OffscreenApplication::~OffscreenApplication() = default;
+
+QApplication& OffscreenApplication::application() {
+    return *d_->application;
+}
+
+ViewSurfaceFactory offscreenSurface() {
+    return paintedSurface(osMesaContext);
+}
+
+std::unique_ptr<ViewRenderer> offscreenRenderer() {
+    return pictureRenderer(osMesaContext);
+}
+
+}  // namespace vestige

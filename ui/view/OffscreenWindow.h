@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <memory>
+
+#include "ui/view/GlContext.h"
+
+class vtkGenericOpenGLRenderWindow;
+
+namespace vestige {
+
+/// A VTK render window on a context without a window system, and its pictures.
+class OffscreenWindow {
+  public:
+    explicit OffscreenWindow(std::unique_ptr<GlContext> context);
+    ~OffscreenWindow();
+
+    vtkGenericOpenGLRenderWindow& renderWindow();
+    void resize(const QSize& pixels);
+    /// Draws the window's renderers and reads the picture back; opaque.
+    QImage draw();
+
+  private:
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace vestige

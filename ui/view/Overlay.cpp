@@ -1,0 +1,41 @@
+#include "ui/view/Overlay.h"
+
+#include <QPainter>
+
+#include "ui/view/Legend.h"
+#include "ui/view/Marks.h"
+#include "ui/view/ScaleBar.h"
+#include "ui/view/ViewTheme.h"
+
+namespace vestige {
+namespace {
+
+constexpr int kMargin = 14;
+
+QRectF paintTitle(QPainter& painter, const ViewTheme& theme, const QString& title) {
+    painter.setFont(theme.font(15, true));
+    const QRectF place(QPointF(kMargin + 2, kMargin), painter.fontMetrics().size(Qt::TextSingleLine, title));
+    painter.setPen(theme.text);
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, title);
+    return place;
+}
+
+}  // namespace
+
+void paintOverlay(QPainter& painter, const OverlayContent& content) {
+    const ViewTheme theme;
+    const ViewDescription& view = content.view;
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    const QRectF picture(0, 0, content.camera.width_px, content.camera.height_px);
+    const QRectF inside = picture.adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    std::vector<QRectF> taken;
+    if (!view.title.empty()) taken.push_back(paintTitle(painter, theme, QString::fromStdString(view.title)));
+    if (view.showLegend) taken.push_back(paintLegend(painter, theme, inside, view, content.scale));
+    if (view.showScaleBar) taken.push_back(paintScaleBar(painter, theme, inside, content.camera));
+    std::vector<PaintedMark> marks;
+    for (const ViewMark& mark : view.marks) marks.push_back({mark, false});
+    if (content.pending) marks.push_back({*content.pending, true});
+    paintMarks(painter, theme, picture, content.camera, marks, std::move(taken));
+}
+
+}  // namespace vestige

@@ -1,0 +1,130 @@
+#include "ui/view/PointProp.h"
+
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLCamera.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+#include <vtk_glew.h>
+
+#include <cmath>
+
+namespace vestige {
+namespace {
+
+constexpr const char* kVertexShader = R"(//VTK::System::Dec
+in vec3 place;
+in vec4 paint;
+out vec4 color;
+uniform mat4 clipFromDisplay;
+void main() {
+    color = paint;
+    gl_Position = clipFromDisplay * vec4(place, 1.0);
+}
+)";
+
+constexpr const char* kFragmentShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec4 color;
+void main() {
+    gl_FragData[0] = color;
+}
+)";
+
+}  // namespace
+
+PointProp* PointProp::New() {
+    VTK_STANDARD_NEW_BODY(PointProp);
+}
+
+void PointProp::setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks) {
+    positions_ = std::move(positions);
+    blocks_ = std::move(blocks);
+    seen_.assign(blocks_.size(), true);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            const double low = blocks_[i].min[axis];
+            const double high = blocks_[i].max[axis];
+            bounds_[2 * axis] = i ? std::min(bounds_[2 * axis], low) : low;
+            bounds_[2 * axis + 1] = i ? std::max(bounds_[2 * axis + 1], high) : high;
+        }
+    }
+    Modified();
+}
+
+void PointProp::setColors(std::vector<Rgba> colors) {
+    colors_ = std::move(colors);
+    Modified();
+}
+
+void PointProp::setPart(double from, double to) {
+    from_ = from;
+    to_ = to;
+}
+
+void PointProp::upload() {
+    if (!positions_.empty()) {
+        positionBuffer_->Upload(positions_, vtkOpenGLBufferObject::ArrayBuffer);
+        positions_ = {};
+        attributesBound_ = false;
+    }
+    if (!colors_.empty()) {
+        colorBuffer_->Upload(colors_, vtkOpenGLBufferObject::ArrayBuffer);
+        colors_ = {};
+        attributesBound_ = false;
+    }
+}
+
+int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+    if (blocks_.empty() || from_ >= to_) return 0;
+    auto* renderer = vtkRenderer::SafeDownCast(viewport);
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    upload();
+    if (!positionBuffer_->IsReady() || !colorBuffer_->IsReady()) return 0;
+
+    vtkShaderProgram* program =
+        window->GetShaderCache()->ReadyShaderProgram(kVertexShader, kFragmentShader, "");
+    if (!program) return 0;
+    if (program != boundProgram_ || !attributesBound_) {
+        arrays_->ShaderProgramChanged();
+        arrays_->Bind();
+        attributesBound_ = arrays_->AddAttributeArray(program, positionBuffer_, "place", 0,
+                                                      sizeof(Eigen::Vector3f), VTK_FLOAT, 3, false) &&
+                           arrays_->AddAttributeArray(program, colorBuffer_, "paint", 0, sizeof(Rgba),
+                                                      VTK_UNSIGNED_CHAR, 4, true);
+        boundProgram_ = program;
+    }
+    arrays_->Bind();
+    vtkMatrix4x4* viewFromDisplay = nullptr;
+    vtkMatrix3x3* normals = nullptr;
+    vtkMatrix4x4* clipFromView = nullptr;
+    vtkMatrix4x4* clipFromDisplay = nullptr;
+    vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+        ->GetKeyMatrices(renderer, viewFromDisplay, normals, clipFromView, clipFromDisplay);
+    program->SetUniformMatrix("clipFromDisplay", clipFromDisplay);
+    window->GetState()->vtkglPointSize(static_cast<float>(pointSize_));
+
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (!seen_[i]) continue;
+        const auto first = static_cast<GLint>(std::ceil(from_ * blocks_[i].size()));
+        const auto last = static_cast<GLint>(std::ceil(to_ * blocks_[i].size()));
+        if (first < last) glDrawArrays(GL_POINTS, static_cast<GLint>(blocks_[i].begin) + first, last - first);
+    }
+    arrays_->Release();
+    return 1;
+}
+
+void PointProp::ReleaseGraphicsResources(vtkWindow* window) {
+    positionBuffer_->ReleaseGraphicsResources();
+    colorBuffer_->ReleaseGraphicsResources();
+    arrays_->ReleaseGraphicsResources();
+    boundProgram_ = nullptr;
+    attributesBound_ = false;
+    Superclass::ReleaseGraphicsResources(window);
+}
+
+}  // namespace vestige

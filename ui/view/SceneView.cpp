@@ -1,0 +1,263 @@
+#include "ui/view/SceneView.h"
+
+#include <vtkRenderWindow.h>
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/view/FrameBudget.h"
+#include "ui/view/Overlay.h"
+#include "ui/view/SceneDrawing.h"
+#include "ui/view/ViewMouse.h"
+
+namespace vestige {
+namespace {
+
+constexpr double kMovingFrame_s = 0.07;
+constexpr double kRestingFrame_s = 0.12;
+constexpr int kRest_ms = 160;
+constexpr double kPivotRadius_px = 24;
+
+/// Paints over the picture; mouse and keyboard go through it.
+class OverlayWidget : public QWidget {
+  public:
+    OverlayWidget(QWidget* parent, std::function<void(QPainter&)> paint)
+        : QWidget(parent), paint_(std::move(paint)) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_NoSystemBackground);
+    }
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        paint_(painter);
+    }
+
+  private:
+    std::function<void(QPainter&)> paint_;
+};
+
+}  // namespace
+
+struct SceneView::Private {
+    std::unique_ptr<ViewSurface> surface;
+    std::unique_ptr<SceneDrawing> drawing;
+    OverlayWidget* overlay = nullptr;
+    ViewDescription description;
+    ViewCamera camera;
+    bool hasCamera = false;
+    std::vector<std::shared_ptr<const Octree>> octrees;
+    ViewTool* tool = nullptr;
+    std::optional<ViewMark> pending;
+    std::unique_ptr<ViewMouse> mouse;
+
+    QTimer frameTimer;  // the next frame, as soon as events are handled
+    QTimer restTimer;   // the camera stands still
+    FrameBudget movingBudget{kMovingFrame_s};
+    FrameBudget restingBudget{kRestingFrame_s};
+    bool sceneChanged = true;
+    bool pictureChanged = true;
+    bool moving = false;
+    double share = 0;  // of the points seen that the picture holds
+
+    QSize size() const { return surface->widget()->size(); }
+
+    void fitCamera() {
+        camera.width_px = std::max(1, size().width());
+        camera.height_px = std::max(1, size().height());
+    }
+
+    void paintOver(QPainter& painter) {
+        paintOverlay(painter, {description, camera, drawing->scale(), pending});
+    }
+
+    /// Draws the next step of the picture: the first points, or some more. `all` leaves nothing out.
+    void step(bool all) {
+        if (size().isEmpty()) return;
+        fitCamera();
+        if (sceneChanged) drawing->show(description, octrees);
+        const bool begin = sceneChanged || pictureChanged;
+        if (begin) drawing->setCamera(camera);
+        const std::size_t seen = drawing->pointsSeen();
+        const FrameBudget& budget = moving ? movingBudget : restingBudget;
+        const double part = seen == 0 || all ? 1.0 : static_cast<double>(budget.points()) / seen;
+        const double from = begin ? 0 : share;
+        const double to = std::min(1.0, from + part);
+        if (begin)
+            drawing->beginPicture(to);
+        else
+            drawing->addToPicture(to);
+        QElapsedTimer clock;
+        clock.start();
+        if (!surface->drawFrame()) {
+            frameTimer.start(20);
+            return;
+        }
+        const auto drawn = static_cast<std::size_t>((to - from) * static_cast<double>(seen));
+        (moving ? movingBudget : restingBudget).frameTook(drawn, 1e-9 * clock.nsecsElapsed());
+        sceneChanged = pictureChanged = false;
+        share = to;
+        overlay->update();
+        if (share < 1 && !moving) frameTimer.start(0);
+    }
+
+    void redraw() {
+        pictureChanged = true;
+        if (!frameTimer.isActive()) frameTimer.start(0);
+    }
+
+    std::optional<Pick> pick(const QPoint& position, double radius_px) const {
+        std::vector<PickLayer> layers;
+        const std::size_t count = std::min(octrees.size(), description.layers.size());
+        for (std::size_t i = 0; i < count; ++i)
+            if (octrees[i] && description.layers[i].visible)
+                layers.push_back(
+                    {static_cast<std::uint32_t>(i), octrees[i].get(), description.layers[i].worldFromLayer});
+        PickOptions options;
+        options.radius_px = radius_px;
+        return pickPoint(layers, camera, {position.x() + 0.5, position.y() + 0.5}, options);
+    }
+};
+
+SceneView::SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent)
+    : QObject(parent), d_(std::make_unique<Private>()) {
+    d_->surface = makeSurface(parent);
+    d_->drawing = std::make_unique<SceneDrawing>(d_->surface->renderWindow());
+    QWidget* widget = d_->surface->widget();
+    d_->overlay = new OverlayWidget(widget, [this](QPainter& painter) { d_->paintOver(painter); });
+    d_->mouse = std::make_unique<ViewMouse>([this](const QPoint& position) -> std::optional<Eigen::Vector3d> {
+        const auto pick = d_->pick(position, kPivotRadius_px);
+        return pick ? std::optional(pick->world) : std::nullopt;
+    });
+    widget->setMouseTracking(true);
+    widget->setFocusPolicy(Qt::StrongFocus);
+    widget->setContextMenuPolicy(Qt::PreventContextMenu);
+    widget->installEventFilter(this);
+    d_->frameTimer.setSingleShot(true);
+    d_->restTimer.setSingleShot(true);
+    connect(&d_->frameTimer, &QTimer::timeout, this, [this] { d_->step(false); });
+    connect(&d_->restTimer, &QTimer::timeout, this, [this] {
+        d_->moving = false;
+        d_->frameTimer.start(0);
+    });
+}
+
+SceneView::~SceneView() = default;
+
+QWidget* SceneView::widget() const {
+    return d_->surface->widget();
+}
+
+void SceneView::show(ViewDescription view, bool resetCamera) {
+    const bool take = resetCamera || !d_->hasCamera;
+    d_->description = std::move(view);
+    d_->sceneChanged = true;
+    if (take) {
+        d_->camera = d_->description.camera;
+        d_->hasCamera = true;
+        d_->fitCamera();
+    }
+    d_->redraw();
+    d_->overlay->update();
+    if (take) emit cameraChanged();
+}
+
+const ViewDescription& SceneView::description() const {
+    return d_->description;
+}
+
+void SceneView::setPickIndex(std::vector<std::shared_ptr<const Octree>> octrees) {
+    d_->octrees = std::move(octrees);
+}
+
+std::optional<Pick> SceneView::pickAt(const QPoint& position) const {
+    return d_->pick(position, PickOptions{}.radius_px);
+}
+
+ViewCamera SceneView::camera() const {
+    d_->fitCamera();
+    return d_->camera;
+}
+
+void SceneView::setCamera(const ViewCamera& camera) {
+    d_->camera = camera;
+    d_->hasCamera = true;
+    d_->fitCamera();
+    d_->redraw();
+    d_->overlay->update();
+    emit cameraChanged();
+}
+
+void SceneView::showNamedView(NamedView view) {
+    d_->fitCamera();
+    setCamera(fitCamera(bounds(d_->description), view, d_->camera.width_px, d_->camera.height_px));
+}
+
+void SceneView::setTool(ViewTool* tool) {
+    if (tool == d_->tool) return;
+    if (d_->tool) d_->tool->leave(*this);
+    d_->tool = tool;
+    if (d_->tool) d_->tool->enter(*this);
+}
+
+ViewTool* SceneView::tool() const {
+    return d_->tool;
+}
+
+void SceneView::setPendingMark(std::optional<ViewMark> mark) {
+    d_->pending = std::move(mark);
+    d_->overlay->update();
+}
+
+void SceneView::completePicture() {
+    d_->moving = false;
+    if (d_->sceneChanged || d_->pictureChanged || d_->share < 1) d_->step(true);
+}
+
+QImage SceneView::grab() {
+    completePicture();
+    return widget()->grab().toImage();
+}
+
+bool SceneView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != d_->surface->widget()) return QObject::eventFilter(watched, event);
+    ViewTool* tool = d_->tool;
+    switch (event->type()) {
+        case QEvent::Resize:
+            d_->overlay->resize(d_->size());
+            [[fallthrough]];
+        case QEvent::Show:
+            d_->fitCamera();
+            d_->redraw();
+            return false;
+        case QEvent::KeyPress:
+            return tool && tool->keyPress(*this, *static_cast<QKeyEvent*>(event));
+        case QEvent::MouseButtonPress:
+            if (tool && tool->mousePress(*this, *static_cast<QMouseEvent*>(event))) return true;
+            break;
+        case QEvent::MouseMove:
+            if (tool && tool->mouseMove(*this, *static_cast<QMouseEvent*>(event))) return true;
+            break;
+        case QEvent::MouseButtonRelease:
+            if (tool && tool->mouseRelease(*this, *static_cast<QMouseEvent*>(event))) return true;
+            break;
+        case QEvent::Wheel:
+            break;
+        case QEvent::MouseButtonDblClick:
+            return true;
+        default:
+            return false;
+    }
+    if (const auto moved = d_->mouse->handle(*event, camera())) {
+        d_->moving = true;
+        d_->restTimer.start(kRest_ms);
+        setCamera(*moved);
+    }
+    return true;
+}
+
+}  // namespace vestige
