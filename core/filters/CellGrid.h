@@ -16,7 +16,7 @@ namespace vestige {
 /// y, then z; the points of one cell in ascending order of their own index.
 class CellGrid {
   public:
-    /// Cells along each axis; a cell's index fits 63 bits.
+    /// Cells along each axis.
     static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 21;
 
     /// Whether cells of this size (cloud's unit) cover the cloud within kMostCells along each axis.
@@ -37,11 +37,11 @@ class CellGrid {
     std::span<const std::uint32_t> points(std::size_t cell) const {
         return order().subspan(begin(cell), end(cell) - begin(cell));
     }
-    /// x, y and z of the cell, 21 bits each and x highest, counted from one below the cloud's first cell: a
-    /// neighbour's key is this one plus its steps, without overflow from axis to axis.
+    /// x, y and z of the cell as one number, x highest, counted from one below the cloud's first cell: a
+    /// neighbour's key is this one plus the key of the steps, without overflow from axis to axis.
     std::uint64_t key(std::size_t cell) const { return keys_[cell]; }
-    static std::uint64_t key(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-        return x << 42 | y << 21 | z;
+    std::uint64_t key(std::uint64_t x, std::uint64_t y, std::uint64_t z) const {
+        return x << shiftX_ | y << shiftY_ | z;
     }
     /// World coordinates of the cell's corner of least x, y and z.
     Eigen::Vector3d corner(std::size_t cell) const;
@@ -49,8 +49,13 @@ class CellGrid {
     std::size_t firstCell(std::uint64_t key) const;
 
   private:
+    template <class Key>
+    void sortPoints(const PointCloud& cloud, unsigned keyBits, const JobControl& control);
+
     double size_;
-    Eigen::Vector3d base_;  ///< in cells
+    unsigned shiftX_ = 0;
+    unsigned shiftY_ = 0;
+    Eigen::Array<std::int64_t, 3, 1> base_ = {0, 0, 0};  ///< in cells
     std::vector<std::uint32_t> order_;
     std::vector<std::uint64_t> keys_;
     std::vector<std::uint32_t> begins_;

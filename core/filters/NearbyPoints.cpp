@@ -7,6 +7,7 @@
 #include "core/base/Parallel.h"
 #include "core/filters/CellGrid.h"
 #include "core/filters/LoopProgress.h"
+#include "core/filters/WorldPoints.h"
 
 namespace vestige {
 namespace {
@@ -17,12 +18,13 @@ constexpr float kFarAway = 1e18F;
 
 /// For each point in the grid's order, its place relative to its cell's corner.
 std::vector<Eigen::Vector3f> placesInCells(const PointCloud& cloud, const CellGrid& grid) {
+    const WorldPoints world(cloud);
     std::vector<Eigen::Vector3f> places(cloud.size());
     parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t cell = begin; cell < end; ++cell) {
             const Eigen::Vector3d corner = grid.corner(cell);
             for (std::uint32_t at = grid.begin(cell); at < grid.end(cell); ++at)
-                places[at] = (cloud.point(grid.order()[at]) - corner).cast<float>();
+                places[at] = (world[grid.order()[at]] - corner).cast<float>();
         }
     });
     return places;
@@ -67,9 +69,10 @@ class Collector {
 
   private:
     /// The key of the lowest of the three neighbours in a column.
-    static std::uint64_t below(std::uint64_t key, int column) {
-        return key + CellGrid::key(static_cast<std::uint64_t>(column / 3), 0, 0) +
-               CellGrid::key(0, static_cast<std::uint64_t>(column % 3), 0) - CellGrid::key(1, 1, 1);
+    std::uint64_t below(std::uint64_t key, int column) const {
+        return key +
+               grid_.key(static_cast<std::uint64_t>(column / 3), static_cast<std::uint64_t>(column % 3), 0) -
+               grid_.key(1, 1, 1);
     }
 
     void add(std::size_t other, const Eigen::Vector3d& steps) {

@@ -13,7 +13,7 @@ namespace vestige {
 /// are all within the search radius of each of them. Coordinates are relative to the cell's corner, in the
 /// cloud's unit: exact to a float's last bit of the radius, wherever the cloud lies.
 struct NearbyPoints {
-    static constexpr std::size_t kLanes = 8;
+    static constexpr std::size_t kLanes = 4;
 
     /// Of all nearby points, in a fixed order; filled up to a multiple of kLanes with points far away.
     std::span<const float> x;

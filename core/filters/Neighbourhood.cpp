@@ -3,53 +3,58 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
-#include "core/base/Numbers.h"
 #include "core/filters/NearbyPoints.h"
 #include "core/filters/Spacing.h"
+#include "core/filters/WorldPoints.h"
 #include "core/geometry/PointCloudBuilder.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kLanes = NearbyPoints::kLanes;
+/// Four numbers that the processor handles at once (a vector type of GCC and Clang; the compilers' own
+/// vectorisers leave the loop below alone, as a comparison might trap).
+using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+
+inline Lanes lanesAt(std::span<const float> values, std::size_t at) {
+    Lanes lanes;
+    std::memcpy(&lanes, values.data() + at, sizeof lanes);
+    return lanes;
+}
 
 /// exp(-2 t) for t from 0 to 1 to about 1e-6, from operations that round alike on every machine: the series
 /// of exp(-t / 8), whose 16th power it is.
-inline float gaussianWeight(float t) {
-    const float u = t * 0.125F;
-    const float root = 1.0F - u * (1.0F - u * (0.5F - u * (1.0F / 6 - u * (1.0F / 24 - u * (1.0F / 120)))));
-    const float square = root * root;
-    const float fourth = square * square;
-    const float eighth = fourth * fourth;
+inline Lanes gaussianWeight(Lanes t) {
+    const Lanes u = t * 0.125F;
+    const Lanes root = 1.0F - u * (1.0F - u * (0.5F - u * (1.0F / 6 - u * (1.0F / 24 - u * (1.0F / 120)))));
+    const Lanes square = root * root;
+    const Lanes fourth = square * square;
+    const Lanes eighth = fourth * fourth;
     return eighth * eighth;
 }
 
-/// From own point i to the weighted mean of all points within the radius. Summed in lanes, which the compiler
-/// can run side by side, and the lanes in order.
+/// From own point i to the weighted mean of all points within the radius.
 template <class Weight>
 Eigen::Vector3d shiftToMean(const NearbyPoints& nearby, std::size_t i, float squaredRadius,
                             const Weight& weightOf) {
     const std::size_t self = nearby.firstOwn + i;
-    const float x = nearby.x[self];
-    const float y = nearby.y[self];
-    const float z = nearby.z[self];
-    std::array<float, kLanes> weights{};
-    std::array<float, kLanes> sumX{};
-    std::array<float, kLanes> sumY{};
-    std::array<float, kLanes> sumZ{};
+    const Lanes none{};
+    Lanes weights{};
+    Lanes sumX{};
+    Lanes sumY{};
+    Lanes sumZ{};
     for (std::size_t at = 0; at < nearby.x.size(); at += kLanes) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const float dx = nearby.x[at + lane] - x;
-            const float dy = nearby.y[at + lane] - y;
-            const float dz = nearby.z[at + lane] - z;
-            const float squared = dx * dx + dy * dy + dz * dz;
-            const float weight = squared <= squaredRadius ? weightOf(squared) : 0.0F;
-            weights[lane] += weight;
-            sumX[lane] += weight * dx;
-            sumY[lane] += weight * dy;
-            sumZ[lane] += weight * dz;
-        }
+        const Lanes dx = lanesAt(nearby.x, at) - nearby.x[self];
+        const Lanes dy = lanesAt(nearby.y, at) - nearby.y[self];
+        const Lanes dz = lanesAt(nearby.z, at) - nearby.z[self];
+        const Lanes squared = dx * dx + dy * dy + dz * dz;
+        const Lanes weight = squared <= squaredRadius ? weightOf(squared) : none;
+        weights += weight;
+        sumX += weight * dx;
+        sumY += weight * dy;
+        sumZ += weight * dz;
     }
     double weight = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -88,11 +93,12 @@ Eigen::Vector3d shiftToMedian(const NearbyPoints& nearby, std::size_t i, float s
 /// Moves every point by shift(nearby, i).
 template <class Shift>
 PointCloud moved(const PointCloud& cloud, double radius, const JobControl& control, const Shift& shift) {
+    const WorldPoints world(cloud);
     PointCloudBuilder builder(cloud.origin());
     builder.resize(cloud.size());
     forNearbyPoints(cloud, radius, "filter", control, [&](const NearbyPoints& nearby) {
         for (std::size_t i = 0; i < nearby.own.size(); ++i)
-            builder.setPoint(nearby.own[i], cloud.point(nearby.own[i]) + shift(nearby, i));
+            builder.setPoint(nearby.own[i], world[nearby.own[i]] + shift(nearby, i));
     });
     builder.attributes() = cloud.attributes();
     return std::move(builder).build();
@@ -118,7 +124,7 @@ Result<PointCloud> filterNeighbourhood(const PointCloud& cloud, const Neighbourh
             case NeighbourhoodFilter::gaussian:
                 return moved(cloud, radius, control,
                              [&, scale = 1 / squaredRadius](const NearbyPoints& nearby, std::size_t i) {
-                                 return shiftToMean(nearby, i, squaredRadius, [scale](float squared) {
+                                 return shiftToMean(nearby, i, squaredRadius, [scale](Lanes squared) {
                                      return gaussianWeight(squared * scale);
                                  });
                              });
@@ -127,7 +133,7 @@ Result<PointCloud> filterNeighbourhood(const PointCloud& cloud, const Neighbourh
                 break;
         }
         return moved(cloud, radius, control, [&](const NearbyPoints& nearby, std::size_t i) {
-            return shiftToMean(nearby, i, squaredRadius, [](float) { return 1.0F; });
+            return shiftToMean(nearby, i, squaredRadius, [](Lanes) { return Lanes{} + 1.0F; });
         });
     });
 }

@@ -8,27 +8,37 @@
 #include "core/filters/CellAttributes.h"
 #include "core/filters/CellGrid.h"
 #include "core/filters/LoopProgress.h"
+#include "core/filters/WorldPoints.h"
 #include "core/geometry/PointCloudBuilder.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kCellGrain = 4096;
+constexpr std::uint32_t kAhead = 16;
 
 /// Mean of the cell's points, summed from the cell's corner so that no digit is lost far from the origin.
-Eigen::Vector3d centroid(const PointCloud& cloud, const CellGrid& grid, std::size_t cell) {
+Eigen::Vector3d centroid(const WorldPoints& world, const CellGrid& grid, std::size_t cell) {
     const Eigen::Vector3d corner = grid.corner(cell);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::uint32_t point : grid.points(cell)) sum += cloud.point(point) - corner;
-    return corner + sum / static_cast<double>(grid.points(cell).size());
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    for (std::uint32_t at = grid.begin(cell); at < grid.end(cell); ++at) {
+        const std::uint32_t point = grid.order()[at];
+        if (at + kAhead < grid.order().size()) world.prefetch(grid.order()[at + kAhead]);
+        x += world.along(0, point) - corner.x();
+        y += world.along(1, point) - corner.y();
+        z += world.along(2, point) - corner.z();
+    }
+    return corner + Eigen::Vector3d(x, y, z) / static_cast<double>(grid.points(cell).size());
 }
 
-std::uint32_t nearestTo(const Eigen::Vector3d& place, const PointCloud& cloud,
+std::uint32_t nearestTo(const Eigen::Vector3d& place, const WorldPoints& world,
                         std::span<const std::uint32_t> points) {
     std::uint32_t best = points.front();
     double least = std::numeric_limits<double>::infinity();
     for (const std::uint32_t point : points) {
-        const double distance = (cloud.point(point) - place).squaredNorm();
+        const double distance = (world[point] - place).squaredNorm();
         if (distance >= least) continue;
         least = distance;
         best = point;
@@ -39,12 +49,13 @@ std::uint32_t nearestTo(const Eigen::Vector3d& place, const PointCloud& cloud,
 PointCloud represented(const PointCloud& cloud, double size, VoxelRepresentative representative,
                        const JobControl& control) {
     const CellGrid grid(cloud, size, control);
+    const WorldPoints world(cloud);
     LoopProgress progress(control, grid.cellCount(), "voxels");
     if (representative == VoxelRepresentative::nearest) {
         std::vector<std::uint32_t> chosen(grid.cellCount());
         parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t cell = begin; cell < end; ++cell)
-                chosen[cell] = nearestTo(centroid(cloud, grid, cell), cloud, grid.points(cell));
+                chosen[cell] = nearestTo(centroid(world, grid, cell), world, grid.points(cell));
             progress.done(end - begin);
         });
         return cloud.select(chosen);
@@ -53,7 +64,7 @@ PointCloud represented(const PointCloud& cloud, double size, VoxelRepresentative
     builder.resize(grid.cellCount());
     parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t cell = begin; cell < end; ++cell)
-            builder.setPoint(cell, centroid(cloud, grid, cell));
+            builder.setPoint(cell, centroid(world, grid, cell));
         progress.done(end - begin);
     });
     builder.attributes() = averagedAttributes(cloud.attributes(), grid);

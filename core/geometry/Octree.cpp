@@ -26,7 +26,7 @@ struct PendingChild {
 
 /// The non-empty children of a range of sorted codes, one level of the tree finer where the range divides.
 /// None for a leaf.
-void children(const std::vector<KeyedIndex>& sorted, std::uint32_t begin, std::uint32_t end,
+void children(const std::vector<KeyedIndex<std::uint64_t>>& sorted, std::uint32_t begin, std::uint32_t end,
               std::uint32_t leafSize, std::vector<PendingChild>& into) {
     if (end - begin <= leafSize || sorted[begin].key == sorted[end - 1].key) return;
     // Levels at which all points share one octant get no node of their own.
@@ -34,9 +34,9 @@ void children(const std::vector<KeyedIndex>& sorted, std::uint32_t begin, std::u
     while (octant(sorted[begin].key, level) == octant(sorted[end - 1].key, level)) ++level;
     for (std::uint32_t at = begin; at < end;) {
         const unsigned here = octant(sorted[at].key, level);
-        const auto next =
-            std::partition_point(sorted.begin() + at, sorted.begin() + end,
-                                 [&](const KeyedIndex& entry) { return octant(entry.key, level) <= here; });
+        const auto next = std::partition_point(
+            sorted.begin() + at, sorted.begin() + end,
+            [&](const KeyedIndex<std::uint64_t>& entry) { return octant(entry.key, level) <= here; });
         const auto stop = static_cast<std::uint32_t>(next - sorted.begin());
         into.push_back({at, stop});
         at = stop;
@@ -67,8 +67,8 @@ Octree::Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize) 
 void Octree::build(std::uint32_t leafSize) {
     const std::vector<Eigen::Vector3f>& offsets = cloud_->offsets();
     const MortonGrid grid(offsets);
-    const std::vector<KeyedIndex> sorted =
-        sortedByKey(offsets.size(), [&](std::size_t begin, std::span<std::uint64_t> keys) {
+    const std::vector<KeyedIndex<std::uint64_t>> sorted = sortedByKey<std::uint64_t>(
+        offsets.size(), 3 * kLevels, [&](std::size_t begin, std::span<std::uint64_t> keys) {
             for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = grid.code(offsets[begin + i]);
         });
     order_.resize(sorted.size());

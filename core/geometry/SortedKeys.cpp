@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <limits>
 
 #include "core/base/Parallel.h"
 
@@ -11,21 +10,17 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kGrain = 65536;
-constexpr unsigned kBucketBits = 12;
-constexpr std::size_t kBuckets = std::size_t{1} << kBucketBits;
+constexpr unsigned kFirstDigitBits = 12;
+constexpr std::size_t kBuckets = std::size_t{1} << kFirstDigitBits;
+constexpr unsigned kDigitBits = 8;
+constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+constexpr std::size_t kFewItems = 48;
 constexpr std::size_t kBlock = 1024;
 
-struct Range {
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    std::uint64_t most = 0;
-};
-
-using KeysOf = std::function<void(std::size_t, std::span<std::uint64_t>)>;
-
 /// Calls use(index, key) for every item of [begin, end), in order.
-template <class Use>
-void eachKey(const KeysOf& keysOf, std::size_t begin, std::size_t end, const Use& use) {
-    std::array<std::uint64_t, kBlock> keys;
+template <class Key, class Use>
+void eachKey(const KeysOf<Key>& keysOf, std::size_t begin, std::size_t end, const Use& use) {
+    std::array<Key, kBlock> keys;
     for (std::size_t at = begin; at < end; at += kBlock) {
         const std::size_t many = std::min(kBlock, end - at);
         keysOf(at, std::span(keys).first(many));
@@ -33,33 +28,48 @@ void eachKey(const KeysOf& keysOf, std::size_t begin, std::size_t end, const Use
     }
 }
 
+/// Sorts items that come in ascending order of index; `spare` is as long as `items`.
+template <class Key>
+void sortStable(std::span<KeyedIndex<Key>> items, std::span<KeyedIndex<Key>> spare) {
+    if (items.size() <= kFewItems) {
+        std::sort(items.begin(), items.end(), [](const auto& a, const auto& b) {
+            return a.key != b.key ? a.key < b.key : a.index < b.index;
+        });
+        return;
+    }
+    Key differing = 0;
+    for (const auto& item : items) differing |= item.key ^ items.front().key;
+    if (differing == 0) return;
+    const auto width = static_cast<unsigned>(std::bit_width(differing));
+    const unsigned shift = width > kDigitBits ? width - kDigitBits : 0;
+    const auto digit = [shift](Key key) { return static_cast<std::size_t>(key >> shift) % kDigits; };
+
+    std::array<std::uint32_t, kDigits + 1> places{};
+    for (const auto& item : items) ++places[digit(item.key) + 1];
+    for (std::size_t i = 1; i <= kDigits; ++i) places[i] += places[i - 1];
+    std::array<std::uint32_t, kDigits> next;
+    std::copy_n(places.begin(), kDigits, next.begin());
+    for (const auto& item : items) spare[next[digit(item.key)]++] = item;
+    std::copy_n(spare.begin(), items.size(), items.begin());
+    if (shift == 0) return;
+    for (std::size_t i = 0; i < kDigits; ++i) {
+        const std::size_t many = places[i + 1] - places[i];
+        if (many > 1) sortStable(items.subspan(places[i], many), spare.subspan(places[i], many));
+    }
+}
+
 }  // namespace
 
-std::vector<KeyedIndex> sortedByKey(std::size_t count, const KeysOf& keysOf) {
+template <class Key>
+std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, const KeysOf<Key>& keysOf) {
     const std::size_t chunks = (count + kGrain - 1) / kGrain;
-    std::vector<Range> ranges(chunks);
-    parallelChunks(count, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        Range range;
-        eachKey(keysOf, begin, end, [&](std::size_t, std::uint64_t key) {
-            range.least = std::min(range.least, key);
-            range.most = std::max(range.most, key);
-        });
-        ranges[chunk] = range;
-    });
-    Range whole;
-    for (const Range& range : ranges) {
-        whole.least = std::min(whole.least, range.least);
-        whole.most = std::max(whole.most, range.most);
-    }
-    const unsigned width = count == 0 ? 0 : static_cast<unsigned>(std::bit_width(whole.most - whole.least));
-    const unsigned shift = width > kBucketBits ? width - kBucketBits : 0;
-    const auto bucketOf = [&](std::uint64_t key) { return (key - whole.least) >> shift; };
+    const unsigned shift = keyBits > kFirstDigitBits ? keyBits - kFirstDigitBits : 0;
+    const auto bucketOf = [shift](Key key) { return static_cast<std::size_t>(key >> shift); };
 
-    // A stable scatter into buckets of neighbouring keys; each bucket is then small enough to sort in cache.
     std::vector<std::uint32_t> places(chunks * kBuckets, 0);
     parallelChunks(count, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         std::uint32_t* counts = places.data() + chunk * kBuckets;
-        eachKey(keysOf, begin, end, [&](std::size_t, std::uint64_t key) { ++counts[bucketOf(key)]; });
+        eachKey(keysOf, begin, end, [&](std::size_t, Key key) { ++counts[bucketOf(key)]; });
     });
     std::vector<std::uint32_t> starts(kBuckets + 1, 0);
     std::uint32_t place = 0;
@@ -73,21 +83,28 @@ std::vector<KeyedIndex> sortedByKey(std::size_t count, const KeysOf& keysOf) {
     }
     starts[kBuckets] = place;
 
-    std::vector<KeyedIndex> sorted(count);
+    std::vector<KeyedIndex<Key>> sorted(count);
     parallelChunks(count, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         std::uint32_t* next = places.data() + chunk * kBuckets;
-        eachKey(keysOf, begin, end, [&](std::size_t item, std::uint64_t key) {
+        eachKey(keysOf, begin, end, [&](std::size_t item, Key key) {
             sorted[next[bucketOf(key)]++] = {key, static_cast<std::uint32_t>(item)};
         });
     });
     if (shift == 0) return sorted;
-    parallelFor(kBuckets, 1, [&](std::size_t bucket, std::size_t) {
-        std::sort(sorted.begin() + starts[bucket], sorted.begin() + starts[bucket + 1],
-                  [](const KeyedIndex& a, const KeyedIndex& b) {
-                      return a.key != b.key ? a.key < b.key : a.index < b.index;
-                  });
+    parallelFor(kBuckets, 16, [&](std::size_t begin, std::size_t end) {
+        std::vector<KeyedIndex<Key>> spare;
+        for (std::size_t bucket = begin; bucket < end; ++bucket) {
+            const std::size_t many = starts[bucket + 1] - starts[bucket];
+            if (spare.size() < many) spare.resize(many);
+            sortStable(std::span(sorted).subspan(starts[bucket], many), std::span(spare).first(many));
+        }
     });
     return sorted;
 }
+
+template std::vector<KeyedIndex<std::uint32_t>> sortedByKey(std::size_t, unsigned,
+                                                            const KeysOf<std::uint32_t>&);
+template std::vector<KeyedIndex<std::uint64_t>> sortedByKey(std::size_t, unsigned,
+                                                            const KeysOf<std::uint64_t>&);
 
 }  // namespace vestige

@@ -8,16 +8,26 @@
 
 namespace vestige {
 
+template <class Key>
 struct KeyedIndex {
-    std::uint64_t key;
+    Key key;
     std::uint32_t index;
 };
 
-/// The items 0 ... count - 1 in ascending order of (key, index): the one sort behind Morton order and voxel
-/// grids. `keysOf(begin, keys)` fills keys with those of the items begin, begin + 1, ...; it is called from
-/// many threads and three times for every item, so that no array of unsorted keys has to be held. 16 bytes an
-/// item, O(n log n), the same result for any number of threads.
-std::vector<KeyedIndex> sortedByKey(
-    std::size_t count, const std::function<void(std::size_t begin, std::span<std::uint64_t> keys)>& keysOf);
+/// Fills `keys` with the keys of the items begin, begin + 1, ...; called from many threads.
+template <class Key>
+using KeysOf = std::function<void(std::size_t begin, std::span<Key> keys)>;
+
+/// The items 0 ... count - 1 in ascending order of (key, index), for keys below 2^keyBits: the one sort
+/// behind Morton order and voxel grids. A radix sort from the highest digit down, each digit's buckets in
+/// parallel; the same result for any number of threads. `keysOf` is asked twice for every item, so that no
+/// array of unsorted keys has to be held. Key is std::uint32_t or std::uint64_t.
+template <class Key>
+std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, const KeysOf<Key>& keysOf);
+
+extern template std::vector<KeyedIndex<std::uint32_t>> sortedByKey(std::size_t, unsigned,
+                                                                   const KeysOf<std::uint32_t>&);
+extern template std::vector<KeyedIndex<std::uint64_t>> sortedByKey(std::size_t, unsigned,
+                                                                   const KeysOf<std::uint64_t>&);
 
 }  // namespace vestige

@@ -17,7 +17,9 @@ namespace {
 using Voxel = std::array<double, 3>;
 
 Voxel voxelOf(const Eigen::Vector3d& world, double size) {
-    return {std::floor(world.x() / size), std::floor(world.y() / size), std::floor(world.z() / size)};
+    const double perSize = 1 / size;
+    return {std::floor(world.x() * perSize), std::floor(world.y() * perSize),
+            std::floor(world.z() * perSize)};
 }
 
 std::map<Voxel, std::vector<std::size_t>> voxelsOf(const std::vector<Eigen::Vector3d>& points, double size) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "core/geometry/PointCloud.h"
+
+namespace vestige {
+
+/// What PCL offers for the same work, on its own cloud of the same offsets.
+class PclFilters {
+  public:
+    explicit PclFilters(const PointCloud& cloud);
+    ~PclFilters();
+
+    /// pcl::VoxelGrid; the number of points left.
+    std::size_t voxelGrid(float size) const;
+    /// The mean of the neighbours that pcl::KdTreeFLANN finds within the radius; the sum of all z. PCL has no
+    /// such filter of its own.
+    double meanFilter(float radius) const;
+    /// pcl::StatisticalOutlierRemoval; the number of points left.
+    std::size_t statistical(int neighbours, double sigmas) const;
+
+  private:
+    struct Cloud;
+    std::unique_ptr<Cloud> cloud_;
+};
+
+}  // namespace vestige
