@@ -3,7 +3,10 @@
 namespace vestige::cli {
 
 const std::vector<Verb>& verbs() {
-    static const std::vector<Verb> all{};
+    static const std::vector<Verb> all{
+        {"info", "What clouds and meshes are and hold, with their SHA-256.", declareInfo},
+        {"convert", "From any readable to any writable format, by extension.", declareConvert},
+    };
     return all;
 }
 

@@ -39,9 +39,8 @@ class FileFormat {
     /// True when the first bytes (up to 4096) are of this format; text formats may go by the extension.
     virtual bool recognises(std::span<const std::byte> head, std::string_view extension) const = 0;
 
-    /// Header facts; reads points only where the format has no header that knows (bounds of text, for
-    /// instance).
-    virtual Result<FileInfo> info(const std::filesystem::path& file, const JobControl& control) const = 0;
+    /// What the file says about itself, checked against its points; by default what read() finds.
+    virtual Result<FileInfo> info(const std::filesystem::path& file, const JobControl& control) const;
     virtual Result<LoadedGeometry> read(const std::filesystem::path& file,
                                         const JobControl& control) const = 0;
     /// Atomic: beside, then rename. ErrorCode::output on failure.

@@ -1,0 +1,47 @@
+#include "core/io/Describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vestige {
+
+void describeGeometry(const TriangleMesh& geometry, FileInfo& info) {
+    info.points = geometry.vertices.size();
+    info.triangles = geometry.triangles.size();
+    info.bounds = geometry.vertices.bounds();
+    const PointAttributes& attributes = geometry.vertices.attributes();
+    info.attributes.clear();
+    const auto name = [&](bool present, const char* text) {
+        if (present) info.attributes.emplace_back(text);
+    };
+    name(!attributes.intensity.empty(), "intensity");
+    name(!attributes.color.empty(), "color");
+    name(!attributes.classification.empty(), "classification");
+    name(!attributes.gpsTime.empty(), "gps_time");
+    name(!attributes.normal.empty(), "normals");
+    name(!attributes.pointSource.empty(), "point_source");
+    name(!attributes.returnNumber.empty(), "return_number");
+    name(!attributes.returnCount.empty(), "return_count");
+    info.timeSpan.reset();
+    for (const double time : attributes.gpsTime) {
+        if (!std::isfinite(time)) continue;
+        if (!info.timeSpan) info.timeSpan.emplace(time, time);
+        info.timeSpan->first = std::min(info.timeSpan->first, time);
+        info.timeSpan->second = std::max(info.timeSpan->second, time);
+    }
+}
+
+LoadedGeometry loaded(TriangleMesh geometry, std::string format, std::string version, ReadJob& job) {
+    LoadedGeometry result;
+    result.info.path = job.path();
+    result.info.format = std::move(format);
+    result.info.version = std::move(version);
+    describeGeometry(geometry, result.info);
+    if (geometry.vertices.empty()) job.warn("the file has no points");
+    result.info.warnings = std::move(job.warnings());
+    result.geometry = std::move(geometry);
+    return result;
+}
+
+}  // namespace vestige

@@ -1,0 +1,138 @@
+#include "core/io/PointSink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vestige {
+namespace {
+
+template <class Number>
+Number clamped(double value, double largest) {
+    if (std::isnan(value)) return 0;
+    return static_cast<Number>(std::nearbyint(std::clamp(value, 0.0, largest)));
+}
+
+}  // namespace
+
+Eigen::Vector3f cleanNormal(const Eigen::Vector3d& normal) {
+    const double length = normal.norm();
+    if (!std::isfinite(length) || length < 1e-12) return Eigen::Vector3f::Zero();
+    // Normals that are unit length to the digits of their file stay bit for bit what they are.
+    if (std::abs(length - 1) < 1e-3) return normal.cast<float>();
+    return (normal / length).cast<float>();
+}
+
+PointSink::PointSink(const std::vector<PointField>& fields, ColorDepth depth) : depth_(depth) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        switch (fields[i]) {
+            case PointField::none:
+                break;
+            case PointField::x:
+                x_ = i;
+                break;
+            case PointField::y:
+                y_ = i;
+                break;
+            case PointField::z:
+                z_ = i;
+                break;
+            case PointField::red:
+                red_ = i;
+                break;
+            case PointField::green:
+                green_ = i;
+                break;
+            case PointField::blue:
+                blue_ = i;
+                break;
+            case PointField::normalX:
+                normalX_ = i;
+                break;
+            case PointField::normalY:
+                normalY_ = i;
+                break;
+            case PointField::normalZ:
+                normalZ_ = i;
+                break;
+            default:
+                columns_.emplace_back(fields[i], i);
+        }
+    }
+}
+
+bool PointSink::add(const double* row) {
+    const Eigen::Vector3d point(row[x_], row[y_], row[z_]);
+    if (!point.allFinite()) return false;
+    builder_.add(point);
+    if (red_ && green_ && blue_) addColor(row[*red_], row[*green_], row[*blue_]);
+    if (normalX_ && normalY_ && normalZ_)
+        builder_.attributes().normal.push_back(cleanNormal({row[*normalX_], row[*normalY_], row[*normalZ_]}));
+    PointAttributes& attributes = builder_.attributes();
+    for (const auto& [field, column] : columns_) {
+        const double value = row[column];
+        switch (field) {
+            case PointField::intensity:
+                attributes.intensity.push_back(static_cast<float>(value));
+                break;
+            case PointField::gpsTime:
+                attributes.gpsTime.push_back(value);
+                break;
+            case PointField::classification:
+                attributes.classification.push_back(clamped<std::uint8_t>(value, 255));
+                break;
+            case PointField::pointSource:
+                attributes.pointSource.push_back(clamped<std::uint16_t>(value, 65535));
+                break;
+            case PointField::returnNumber:
+                attributes.returnNumber.push_back(clamped<std::uint8_t>(value, 255));
+                break;
+            case PointField::returnCount:
+                attributes.returnCount.push_back(clamped<std::uint8_t>(value, 255));
+                break;
+            case PointField::packedColor: {
+                const auto packed = clamped<std::uint32_t>(value, 4294967295.0);
+                attributes.color.push_back({static_cast<std::uint16_t>((packed >> 16 & 255) * 257),
+                                            static_cast<std::uint16_t>((packed >> 8 & 255) * 257),
+                                            static_cast<std::uint16_t>((packed & 255) * 257)});
+                break;
+            }
+            default:
+                break;
+        }
+    }
+    return true;
+}
+
+void PointSink::addColor(double red, double green, double blue) {
+    if (depth_ == ColorDepth::guess) {
+        undecidedColors_.emplace_back(static_cast<float>(red), static_cast<float>(green),
+                                      static_cast<float>(blue));
+        return;
+    }
+    const double largest = depth_ == ColorDepth::bytes ? 255 : 65535;
+    const auto scale = static_cast<std::uint16_t>(depth_ == ColorDepth::bytes ? 257 : 1);
+    const auto channel = [&](double value) {
+        return static_cast<std::uint16_t>(clamped<std::uint16_t>(value, largest) * scale);
+    };
+    builder_.attributes().color.push_back({channel(red), channel(green), channel(blue)});
+}
+
+void PointSink::finishColors() {
+    if (undecidedColors_.empty()) return;
+    float largest = 0;
+    for (const Eigen::Vector3f& color : undecidedColors_) largest = std::max(largest, color.maxCoeff());
+    const double scale = largest <= 1 ? 65535.0 : largest <= 255 ? 257.0 : 1.0;
+    std::vector<Color>& colors = builder_.attributes().color;
+    colors.reserve(undecidedColors_.size());
+    for (const Eigen::Vector3f& color : undecidedColors_) {
+        Color& stored = colors.emplace_back();
+        for (int i = 0; i < 3; ++i) stored[i] = clamped<std::uint16_t>(scale * color[i], 65535);
+    }
+}
+
+PointCloud PointSink::build() && {
+    finishColors();
+    return std::move(builder_).build();
+}
+
+}  // namespace vestige

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/io/FileFormat.h"
+
+namespace vestige {
+
+class TextFormat : public FileFormat {
+  public:
+    std::string_view id() const override { return "text"; }
+    std::string_view title() const override { return "Text with one point a line"; }
+    std::vector<std::string> extensions() const override { return {"csv", "xyz", "txt", "asc", "pts"}; }
+    bool canWrite() const override { return true; }
+    bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
+    Result<LoadedGeometry> read(const std::filesystem::path& file, const JobControl& control) const override;
+    Status write(const std::filesystem::path& file, const TriangleMesh& geometry, const WriteOptions& options,
+                 const JobControl& control) const override;
+};
+
+}  // namespace vestige
