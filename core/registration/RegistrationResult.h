@@ -32,11 +32,16 @@ struct RegistrationResult {
     double seconds = 0;
     double rmse_m =
         0;  ///< of the distances of the inlier source points to the target's local planes or points
-    double overlap = 0;  ///< share of source points with target within the inlier distance
+    double overlap = 0;           ///< share of source points with target within the inlier distance
+    double targetOverlap = 0;     ///< share of the target near the source that holds such points
+    double inlierDistance_m = 0;  ///< half the smallest voxel and three times the range noise
     std::vector<double> voxelSchedule_m;
     std::vector<RegistrationLevel> levels;
     std::vector<std::string> notes;  ///< for the user: unit recognised, what was chosen automatically and why
     Similarity initial;              ///< the first pose it started from
+    std::vector<std::string> reasons;  ///< why it cannot be relied on; empty when it can
+
+    bool trustworthy() const { return reasons.empty(); }
 };
 
 }  // namespace vestige

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/JobControl.h"
+#include "core/base/Result.h"
+#include "core/registration/NormalDistributions.h"
+#include "core/registration/RegistrationFrame.h"
+#include "core/registration/RegistrationResult.h"
+#include "core/registration/TrustRegion.h"
+
+namespace vestige {
+
+struct ImprovedNdtOptions {
+    double voxelStart_m = 4;        ///< v0
+    std::optional<double> voxel_m;  ///< v_n; nothing: chosen by flatness
+    double voxelFloor_m = 0.1;      ///< the smallest v_n that is considered
+    std::optional<double> leaf_m;   ///< thinning of the source; nothing: v_n / 2
+    /// Where a level has no cell the next larger one counts, so that far surfaces keep their hold.
+    bool coarserCells = true;
+    DistributionOptions distributions;
+    TrustRegionOptions trustRegion;
+};
+
+/// METHOD section 3 from `initial`, one pose per voxel size, each starting from the one before.
+/// ErrorCode::untrustworthy when no source point falls into a target cell or either cloud is too small.
+Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
+                                       const ImprovedNdtOptions& options, const JobControl& control);
+
+}  // namespace vestige

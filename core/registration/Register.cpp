@@ -1,0 +1,109 @@
+#include "core/registration/Register.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/Numbers.h"
+#include "core/registration/ImprovedNdt.h"
+
+namespace vestige {
+namespace {
+
+constexpr double kMeshSamples = 1e6;
+constexpr double kLargestStart_m = 4;
+constexpr double kPaperStart_m = 1;  // the largest size of the publication's table 2
+constexpr double kFloor_m = 0.1;
+
+PointCloud pointsOf(const TriangleMesh& geometry) {
+    if (!geometry.isMesh()) return geometry.vertices;
+    return sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
+}
+
+ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadius_m) {
+    const bool paper = parameters.text("preset") == "paper";
+    ImprovedNdtOptions options;
+    options.voxelStart_m = parameters.optionalReal("voxel_start_m")
+                               .value_or(paper ? kPaperStart_m : std::min(kLargestStart_m, sourceRadius_m));
+    options.voxel_m = parameters.optionalReal("voxel_m");
+    // A small thing needs smaller cells than a street.
+    options.voxelFloor_m = std::min(kFloor_m, options.voxelStart_m / 20);
+    options.leaf_m = parameters.optionalReal("leaf_m");
+    options.coarserCells = !paper;
+    options.distributions.flatCellsInPlane = paper;
+    options.distributions.outlierRatio = parameters.real("outlier_ratio");
+    options.distributions.flatness = parameters.real("flatness");
+    options.distributions.rangeNoise_m = parameters.real("range_noise_m");
+    options.trustRegion.startRadius_m = parameters.real("trust_radius_m");
+    options.trustRegion.damping = parameters.real("damping");
+    options.trustRegion.gradientLimit = parameters.real("gradient_limit");
+    options.trustRegion.stepLimit_m = parameters.real("step_limit_m");
+    options.trustRegion.iterationLimit = static_cast<int>(parameters.integer("max_iterations"));
+    return options;
+}
+
+std::string percent(double share) {
+    return fixedText(100 * share, 1) + " %";
+}
+
+/// Why nobody should rely on the pose. Either cloud may be the small one, so the better of the two overlaps
+/// counts.
+std::vector<std::string> reasonsAgainst(const RegistrationResult& result) {
+    constexpr double kLeastOverlap = 0.1;
+    constexpr double kOverlapIfNotConverged = 0.3;
+    std::vector<std::string> reasons;
+    const double overlap = std::max(result.overlap, result.targetOverlap);
+    if (overlap < kLeastOverlap)
+        reasons.push_back("only " + percent(result.overlap) + " of the source lies within " +
+                          fixedText(result.inlierDistance_m, 3) + " m of the target");
+    else if (!result.converged && overlap < kOverlapIfNotConverged)
+        reasons.push_back("it has not converged and only " + percent(result.overlap) +
+                          " of the source lies on the target");
+    return reasons;
+}
+
+}  // namespace
+
+Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const TriangleMesh& source,
+                                               const Similarity& initial, const ParameterSet& parameters,
+                                               const JobControl& control) {
+    return guarded("registration", [&]() -> Result<RegistrationResult> {
+        const auto begin = std::chrono::steady_clock::now();
+        const PointCloud targetPoints = pointsOf(target);
+        const PointCloud sourcePoints = pointsOf(source);
+        if (targetPoints.empty() || sourcePoints.empty())
+            return fail(ErrorCode::untrustworthy,
+                        targetPoints.empty() ? "the target is empty" : "the source is empty");
+        const double radius = initial.scale * surfaceRadius(sourcePoints);
+        if (!(radius > 0))
+            return fail(ErrorCode::untrustworthy, "the source has no extent, it cannot be registered");
+        const ImprovedNdtOptions options = ndtOptions(parameters, radius);
+        const double margin = 2 * std::max(options.voxelStart_m, options.voxel_m.value_or(0)) + 0.5 * radius;
+        const RegistrationFrame frame(targetPoints, sourcePoints, initial, margin);
+        Result<RegistrationResult> result = improvedNdt(frame, initial, options, control);
+        if (!result) return result;
+        result->method = parameters.text("method");
+        result->initial = initial;
+        result->reasons = reasonsAgainst(*result);
+        result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        control.progress(1, "registration");
+        return result;
+    });
+}
+
+Result<RegistrationResult> registerGeometry(const TriangleMesh& target, const TriangleMesh& source,
+                                            const Similarity& initial, const ParameterSet& parameters,
+                                            const JobControl& control) {
+    Result<RegistrationResult> result = attemptRegistration(target, source, initial, parameters, control);
+    if (result && !result->trustworthy()) {
+        Error error{ErrorCode::untrustworthy,
+                    "the registration cannot be relied on",
+                    {},
+                    "check that the clouds show the same place, and give a nearer first pose"};
+        error.message.append(": ").append(result->reasons.front());
+        return fail(std::move(error));
+    }
+    return result;
+}
+
+}  // namespace vestige

@@ -1,0 +1,106 @@
+#include "core/registration/RegistrationFrame.h"
+
+#include <cmath>
+
+#include "core/base/Parallel.h"
+#include "core/filters/VoxelDownsample.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kGrain = 16384;
+
+std::vector<Eigen::Vector3f> offsetsFrom(const PointCloud& cloud, double scale,
+                                         const Eigen::Vector3d& origin) {
+    std::vector<Eigen::Vector3f> offsets(cloud.size());
+    parallelFor(cloud.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            offsets[i] = (scale * cloud.point(i) - origin).cast<float>();
+    });
+    return offsets;
+}
+
+/// Indices of the points inside the box, in order.
+std::vector<std::uint32_t> indicesWithin(const PointCloud& cloud, const BoundingBox& box) {
+    std::vector<std::vector<std::uint32_t>> parts((cloud.size() + kGrain - 1) / kGrain);
+    parallelChunks(cloud.size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Vector3d point = cloud.point(i);
+            if ((point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all())
+                parts[chunk].push_back(static_cast<std::uint32_t>(i));
+        }
+    });
+    std::vector<std::uint32_t> indices;
+    for (const auto& part : parts) indices.insert(indices.end(), part.begin(), part.end());
+    return indices;
+}
+
+Eigen::Vector3d centroidOf(std::span<const Eigen::Vector3f> points) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3f& point : points) sum += point.cast<double>();
+    return points.empty() ? sum : Eigen::Vector3d(sum / static_cast<double>(points.size()));
+}
+
+/// From the origin.
+double rmsDistance(std::span<const Eigen::Vector3f> points) {
+    double sum = 0;
+    for (const Eigen::Vector3f& point : points) sum += point.cast<double>().squaredNorm();
+    return points.empty() ? 0 : std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+}  // namespace
+
+RegistrationFrame::RegistrationFrame(const PointCloud& target, const PointCloud& source,
+                                     const Similarity& initial, double margin_m) {
+    sourceOrigin_ = initial.scale * source.bounds().centre();
+    source_ = offsetsFrom(source, initial.scale, sourceOrigin_);
+    BoundingBox reach = source.bounds().transformed(initial);
+    reach.min.array() -= margin_m;
+    reach.max.array() += margin_m;
+    const auto within = indicesWithin(target, reach);
+    const PointCloud cropped = within.size() < target.size() ? target.select(within) : target;
+    targetOrigin_ = cropped.empty() ? reach.centre() : cropped.bounds().centre();
+    target_ = offsetsFrom(cropped, 1, targetOrigin_);
+}
+
+CentredSource RegistrationFrame::centred(std::vector<Eigen::Vector3f> points) const {
+    CentredSource thinned;
+    thinned.points = std::move(points);
+    const Eigen::Vector3d centroid = centroidOf(thinned.points);
+    thinned.centre = sourceOrigin_ + centroid;
+    for (Eigen::Vector3f& point : thinned.points) point = (point.cast<double>() - centroid).cast<float>();
+    thinned.radius = rmsDistance(thinned.points);
+    return thinned;
+}
+
+Pose RegistrationFrame::toLocal(const Pose& targetFromSource, const CentredSource& source) const {
+    Pose local = targetFromSource;
+    local.translation() = targetFromSource * source.centre - targetOrigin_;
+    return local;
+}
+
+Pose RegistrationFrame::toWorld(const Pose& localFromCentred, const CentredSource& source) const {
+    Pose world = Pose::Identity();
+    world.linear() = nearestRotation(localFromCentred.linear());
+    world.translation() = localFromCentred.translation() + targetOrigin_ - world.linear() * source.centre;
+    return world;
+}
+
+std::vector<Eigen::Vector3f> voxelCentroids(const std::vector<Eigen::Vector3f>& points, double size) {
+    const PointCloud cloud(Eigen::Vector3d::Zero(), points, {}, {});
+    Result<PointCloud> thinned = downsample(cloud, size);
+    if (!thinned) throw ErrorException{thinned.error()};
+    return thinned->offsets();
+}
+
+double surfaceRadius(const PointCloud& cloud) {
+    const double diagonal = cloud.bounds().diagonal();
+    if (!(diagonal > 0)) return 0;
+    std::vector<Eigen::Vector3f> centroids =
+        voxelCentroids(offsetsFrom(cloud, 1, cloud.bounds().centre()), diagonal / 64);
+    const Eigen::Vector3d centroid = centroidOf(centroids);
+    for (Eigen::Vector3f& point : centroids) point = (point.cast<double>() - centroid).cast<float>();
+    return rmsDistance(centroids);
+}
+
+}  // namespace vestige

@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Numbers.h"
+#include "core/registration/CellMoments.h"
+#include "core/registration/InitialPose.h"
+
+namespace vestige {
+namespace {
+
+/// Sum of the distances between consecutive points of one side, round to the first.
+double length(std::span<const PointPair> pairs, Eigen::Vector3d PointPair::*side) {
+    double sum = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        sum += (pairs[i].*side - pairs[(i + 1) % pairs.size()].*side).norm();
+    return sum;
+}
+
+UnitGuess guessFromPairs(std::span<const PointPair> pairs) {
+    const double source = length(pairs, &PointPair::source);
+    const double ratio = source > 0 ? length(pairs, &PointPair::target) / source : 1;
+    const bool millimetres = ratio < std::sqrt(0.001);
+    const double expected = millimetres ? 0.001 : 1;
+    UnitGuess guess;
+    guess.unit = millimetres ? LengthUnit::millimetre : LengthUnit::metre;
+    guess.certain = ratio > 0.8 * expected && ratio < 1.25 * expected;
+    guess.reason = "The picked points are " + fixedText(ratio, millimetres ? 6 : 3) +
+                   " times as far apart in the target as in the source, so the source is in " +
+                   (millimetres ? "millimetres" : "metres") +
+                   (guess.certain ? "" : "; the ratio fits no unit well, check the pairs");
+    return guess;
+}
+
+struct Size {
+    double extent = 0;   // diagonal of the bounds
+    double spacing = 0;  // of points on the surface
+};
+
+Size sizeOf(const TriangleMesh& geometry) {
+    const PointCloud& cloud = geometry.vertices;
+    Size size{cloud.bounds().diagonal(), 0};
+    if (!(size.extent > 0)) return size;
+    std::vector<Eigen::Vector3f> offsets(cloud.size());
+    const Eigen::Vector3d centre = cloud.bounds().centre();
+    for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = (cloud.point(i) - centre).cast<float>();
+    const double cell = size.extent / 64;
+    const double area = cell * cell * static_cast<double>(gatherPoints(offsets, VoxelGrid(cell)).size());
+    size.spacing = std::sqrt(area / static_cast<double>(cloud.size()));
+    return size;
+}
+
+}  // namespace
+
+UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source,
+                    std::span<const PointPair> pairs) {
+    if (pairs.size() >= 2) return guessFromPairs(pairs);
+    // A scan that is registered to a scene shows a part of it: as metres it must not be far larger than the
+    // scene, nor both as large and ten times coarser.
+    const Size scene = sizeOf(target);
+    const Size scan = sizeOf(source);
+    UnitGuess guess;
+    guess.reason = "The source is " + fixedText(scan.extent, 2) + " units across with a point every " +
+                   fixedText(scan.spacing, 3) + ", the target " + fixedText(scene.extent, 2) +
+                   " m with a point every " + fixedText(scene.spacing, 3) +
+                   " m, so the source is taken to be in ";
+    const bool tooLarge = scan.extent > 5 * scene.extent;
+    const bool tooCoarse = scan.extent > 0.5 * scene.extent && scan.spacing > 10 * scene.spacing;
+    if (scene.extent > 0 && (tooLarge || tooCoarse)) {
+        guess.unit = LengthUnit::millimetre;
+        guess.certain = scan.extent > 50 * scene.extent;
+        guess.reason += "millimetres";
+    } else {
+        guess.certain = scan.extent < scene.extent && scan.spacing < 10 * scene.spacing;
+        guess.reason += "metres";
+    }
+    return guess;
+}
+
+}  // namespace vestige

@@ -1,0 +1,38 @@
+#include "core/registration/VoxelSchedule.h"
+
+#include <algorithm>
+
+namespace vestige {
+namespace {
+
+bool holdsHalfOfPoints(const FlatnessCount& count, std::size_t targetPoints) {
+    return 2 * count.points >= targetPoints;
+}
+
+}  // namespace
+
+std::vector<double> voxelSchedule(double start, double finest) {
+    std::vector<double> sizes;
+    // The margin keeps a size that equals `finest` but for rounding from appearing twice.
+    for (double size = start; size > finest * (1 + 1e-9); size *= 0.8) sizes.push_back(size);
+    sizes.push_back(finest);
+    return sizes;
+}
+
+bool pastHalfOfPoints(const std::vector<FlatnessCount>& counts, std::size_t targetPoints) {
+    if (counts.empty() || holdsHalfOfPoints(counts.back(), targetPoints)) return false;
+    return std::any_of(counts.begin(), counts.end(),
+                       [&](const FlatnessCount& count) { return holdsHalfOfPoints(count, targetPoints); });
+}
+
+std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints) {
+    double largest = -1;
+    for (const FlatnessCount& count : counts)
+        if (holdsHalfOfPoints(count, targetPoints)) largest = std::max(largest, count.ratio());
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (holdsHalfOfPoints(counts[i], targetPoints) && counts[i].ratio() >= largest - 0.01) chosen = i;
+    return chosen;
+}
+
+}  // namespace vestige

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/registration/NormalDistributions.h"
+
+namespace vestige {
+
+/// v0, 0.8 v0, 0.64 v0, ... down to `finest`, which always ends the list.
+std::vector<double> voxelSchedule(double start, double finest);
+
+/// Which of the schedule's sizes v_n is (METHOD section 3, step 2): a size counts while at least half of the
+/// target's points lie in voting cells; among sizes within 0.01 of the largest flatness ratio, the smallest.
+/// `counts` runs from the largest size to the smallest; the largest size where none counts. Returns an index.
+std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints);
+
+/// Whether the last size no longer counts and one before did: smaller ones need no look.
+bool pastHalfOfPoints(const std::vector<FlatnessCount>& counts, std::size_t targetPoints);
+
+}  // namespace vestige

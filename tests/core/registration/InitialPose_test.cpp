@@ -1,0 +1,130 @@
+#include "core/registration/InitialPose.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/AtomicFile.h"
+#include "core/base/Random.h"
+#include "core/geometry/PointCloudBuilder.h"
+#include "tests/support/TestPaths.h"
+
+namespace vestige {
+namespace {
+
+Similarity truth() {
+    Similarity similarity;
+    similarity.scale = 0.001;
+    similarity.pose.linear() =
+        Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+    similarity.pose.translation() << 500123.25, 5400456.5, 81.75;
+    return similarity;
+}
+
+std::vector<PointPair> pairs(double error_m) {
+    Random random(4);
+    std::vector<PointPair> made;
+    for (int i = 0; i < 5; ++i) {
+        const Eigen::Vector3d source(random.uniform(-900, 900), random.uniform(-900, 900),
+                                     random.uniform(-900, 900));
+        const Eigen::Vector3d error(random.normal(), random.normal(), random.normal());
+        made.push_back({truth() * source + error_m * error, source});
+    }
+    return made;
+}
+
+TEST(AlignPairs, FindsThePoseExactlyFromExactPairs) {
+    const auto alignment = alignPairs(pairs(0), 0.001);
+    ASSERT_TRUE(alignment) << alignment.error().sentence();
+    EXPECT_NEAR((alignment->targetFromSource.pose.linear() - truth().pose.linear()).norm(), 0, 1e-7);
+    EXPECT_LT(alignment->rms_m, 1e-7);
+    EXPECT_EQ(alignment->targetFromSource.scale, 0.001);
+}
+
+TEST(AlignPairs, GivesTheResidualOfEachPair) {
+    const auto alignment = alignPairs(pairs(0.02), 0.001);
+    ASSERT_TRUE(alignment);
+    ASSERT_EQ(alignment->residuals_m.size(), 5U);
+    EXPECT_GT(alignment->rms_m, 0.005);
+    EXPECT_LT(alignment->rms_m, 0.05);
+}
+
+TEST(AlignPairs, RefusesPointsOnALineAndTooFew) {
+    std::vector<PointPair> line;
+    for (int i = 0; i < 4; ++i) line.push_back({Eigen::Vector3d(i, 2 * i, 3), Eigen::Vector3d(i, 2 * i, 3)});
+    const auto onLine = alignPairs(line, 1);
+    ASSERT_FALSE(onLine);
+    EXPECT_EQ(onLine.error().code, ErrorCode::untrustworthy);
+    const auto two = alignPairs(std::span(line).first(2), 1);
+    ASSERT_FALSE(two);
+    EXPECT_EQ(two.error().code, ErrorCode::input);
+}
+
+TEST(PointPairs, ErrorsNameTheLine) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "good.csv",
+                              "tx,ty,tz,sx,sy,sz\r\n1,2,3,4,5,6\r\n1,2,4,4,5,7\r\n1.5,2,3,4,5.25,6\r\n"));
+    const auto good = readPointPairs(folder / "good.csv");
+    ASSERT_TRUE(good) << good.error().sentence();
+    EXPECT_EQ(good->at(2).source, Eigen::Vector3d(4, 5.25, 6));
+    const auto sentence = [&](const char* text) {
+        EXPECT_TRUE(writeTextFile(folder / "bad.csv", text));
+        const auto bad = readPointPairs(folder / "bad.csv");
+        EXPECT_FALSE(bad);
+        return bad ? std::string() : bad.error().sentence();
+    };
+    EXPECT_NE(sentence("tx,ty,tz,sx,sy,sz\n1,2,3,4,5,6\n1,2,x,4,5,6\n").find("line 3"), std::string::npos);
+    EXPECT_NE(sentence("tx,ty,tz,sx,sy,sz\n1,2,3,4,5\n").find("line 2"), std::string::npos);
+    EXPECT_NE(sentence("a,b\n1,2\n").find("line 1"), std::string::npos);
+    EXPECT_NE(sentence("tx,ty,tz,sx,sy,sz\n1,2,3,4,5,6\n").find("three"), std::string::npos);
+    EXPECT_FALSE(readPointPairs(folder / "absent.csv"));
+}
+
+TEST(PoseFile, ReadsBackTheSameBits) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writePoseFile(folder / "pose.json", truth()));
+    const auto read = readPoseFile(folder / "pose.json");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->pose.matrix(), truth().pose.matrix());
+    EXPECT_EQ(read->scale, 0.001);
+}
+
+TEST(PoseFile, ErrorsNameTheField) {
+    const test::TemporaryFolder folder;
+    const auto sentence = [&](const char* text) {
+        EXPECT_TRUE(writeTextFile(folder / "bad.json", text));
+        const auto bad = readPoseFile(folder / "bad.json");
+        EXPECT_FALSE(bad);
+        return bad ? std::string() : bad.error().sentence();
+    };
+    EXPECT_NE(sentence("{").find("JSON"), std::string::npos);
+    EXPECT_NE(sentence("[]").find("'pose'"), std::string::npos);
+    EXPECT_NE(sentence(R"({"pose":[1,2]})").find("16"), std::string::npos);
+    EXPECT_NE(sentence(R"({"pose":[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]})").find("orthonormal"),
+              std::string::npos);
+    EXPECT_NE(sentence(R"({"pose":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],"scale":-1})").find("scale"),
+              std::string::npos);
+}
+
+TriangleMesh wall(double width, double spacing) {
+    PointCloudBuilder builder;
+    for (double x = 0; x < width; x += spacing)
+        for (double y = 0; y < width; y += spacing) builder.add({x, y, 0});
+    return {std::move(builder).build(), {}};
+}
+
+TEST(GuessUnit, FromPairsFromSizeAndFromSpacing) {
+    const auto fromPairs = guessUnit({}, {}, pairs(0.01));
+    EXPECT_EQ(fromPairs.unit, LengthUnit::millimetre);
+    EXPECT_TRUE(fromPairs.certain);
+    // A car's front, 2000 units wide, beside a scene of 100 m.
+    const auto front = guessUnit(wall(100, 0.5), wall(2000, 10), {});
+    EXPECT_EQ(front.unit, LengthUnit::millimetre);
+    EXPECT_NE(front.reason.find("millimetres"), std::string::npos);
+    // A mirror, 200 units wide.
+    EXPECT_EQ(guessUnit(wall(100, 0.1), wall(200, 1.5), {}).unit, LengthUnit::millimetre);
+    // Another flight over the same place, and a part of it.
+    EXPECT_EQ(guessUnit(wall(100, 0.5), wall(120, 0.7), {}).unit, LengthUnit::metre);
+    EXPECT_EQ(guessUnit(wall(100, 0.5), wall(3, 0.05), {}).unit, LengthUnit::metre);
+}
+
+}  // namespace
+}  // namespace vestige
