@@ -6,6 +6,7 @@ const std::vector<Verb>& verbs() {
     static const std::vector<Verb> all{
         {"info", "What clouds and meshes are and hold, with their SHA-256.", declareInfo},
         {"convert", "From any readable to any writable format, by extension.", declareConvert},
+        {"preprocess", "A cloud without its outliers, smoothed and thinned.", declarePreprocess},
     };
     return all;
 }

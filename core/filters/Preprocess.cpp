@@ -36,14 +36,20 @@ NeighbourhoodOptions filterOptions(const ParameterSet& parameters, double unitsP
 
 }  // namespace
 
-ParameterSet withChosenRadius(const PointCloud& cloud, const ParameterSet& parameters, double metresPerUnit) {
+ParameterSet withChosenRadius(const PointCloud& cloud, const ParameterSet& parameters, double metresPerUnit,
+                              const JobControl& control) {
     ParameterSet chosen = parameters;
     const bool searches = parameters.text("filter") != "none" || parameters.text("outliers") == "ror";
     if (!searches || parameters.optionalReal("radius_m")) return chosen;
     const ParameterSpec& spec = *parameters.find("radius_m");
-    const double radius = automaticRadius(cloud) * metresPerUnit;
+    const double automatic = automaticRadius(cloud) * metresPerUnit;
+    // No two points apart: whatever the radius, the cloud stays.
+    if (!(automatic > 0)) return chosen;
+    const double radius = std::clamp(automatic, *spec.minimum, *spec.maximum);
     // Within the parameter's own range, so it is always accepted.
-    if (radius > 0) (void)chosen.set("radius_m", std::clamp(radius, *spec.minimum, *spec.maximum));
+    (void)chosen.set("radius_m", radius);
+    control.message("neighbourhood radius: " + fixedText(radius, 4) +
+                    " m, 3 times the median spacing of the points");
     return chosen;
 }
 
@@ -51,11 +57,7 @@ Result<PointCloud> preprocess(const PointCloud& cloud, const ParameterSet& param
                               const JobControl& control) {
     if (!(metresPerUnit > 0)) return fail(ErrorCode::usage, "a unit of no length", "preprocess");
     const double unitsPerMetre = 1 / metresPerUnit;
-    const ParameterSet chosen = withChosenRadius(cloud, parameters, metresPerUnit);
-    if (chosen.optionalReal("radius_m") != parameters.optionalReal("radius_m"))
-        control.message("neighbourhood radius: " + fixedText(*chosen.optionalReal("radius_m"), 4) +
-                        " m, 3 times the median spacing of the points");
-
+    const ParameterSet chosen = withChosenRadius(cloud, parameters, metresPerUnit, control);
     auto kept = removeOutliers(cloud, outlierOptions(chosen, unitsPerMetre), control.sub(0, 0.35));
     if (!kept) return kept;
     if (control.cancelled()) return fail(cancelledError());

@@ -12,12 +12,13 @@ namespace vestige {
 const ParameterTable& preprocessParameters();
 
 /// `parameters` with an automatic radius_m replaced by the one that `cloud` asks for (3 times its median
-/// spacing); as they are when no radius is needed. For those who report what was chosen.
+/// spacing), which also goes out as a message; as they are when no radius is needed. For those who report
+/// what was chosen; preprocess() does it by itself.
 ParameterSet withChosenRadius(const PointCloud& cloud, const ParameterSet& parameters,
-                              double metresPerUnit = 1);
+                              double metresPerUnit = 1, const JobControl& control = {});
 
 /// Outliers, then the neighbourhood filter, then voxels (METHOD section 2), lengths in metres, the cloud in
-/// `metresPerUnit`. The radius that was chosen goes out as a message.
+/// `metresPerUnit`.
 Result<PointCloud> preprocess(const PointCloud& cloud, const ParameterSet& parameters,
                               double metresPerUnit = 1, const JobControl& control = {});
 

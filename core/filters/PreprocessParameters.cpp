@@ -41,7 +41,7 @@ const ParameterTable& preprocessParameters() {
         number("radius_m", "radius", "Radius of the neighbourhood", "m", real, std::monostate{}, 1e-6, 1000,
                "Neighbours of the filter and of radius outliers lie within this distance; automatic: 3 times "
                "the median spacing of the points."),
-        number("voxel_m", "voxel", "Voxel size", "m", real, std::monostate{}, 1e-6, 1e5,
+        number("voxel_m", "voxel", "Voxel size", "m", real, std::monostate{}, 1e-6, 1e4,
                "Edge of the voxels that are thinned to one point each; automatic: no thinning."),
         choiceOf("representative", "Point of a voxel", "centroid", {"centroid", "nearest"},
                  "What stands for a voxel: the centroid of its points, attributes averaged, or the measured "
@@ -55,7 +55,7 @@ const ParameterTable& preprocessParameters() {
                "A point is an outlier above the mean of these distances plus this many of their standard "
                "deviations."),
         number("ror_neighbours", "ror-neighbours", "Fewest neighbours (ror)", "", integer, std::int64_t{2}, 1,
-               100000, "A point with fewer others within the radius is an outlier."),
+               10000, "A point with fewer others within the radius is an outlier."),
     };
     return table;
 }

@@ -1,0 +1,77 @@
+#include "core/filters/Preprocess.h"
+
+#include <CLI/App.hpp>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/ParameterJson.h"
+#include "app/cli/Session.h"
+#include "core/base/Numbers.h"
+#include "core/base/Units.h"
+#include "core/io/FormatRegistry.h"
+
+namespace vestige::cli {
+namespace {
+
+struct Options {
+    std::string in;
+    std::string out;
+    std::string unit = "m";
+    ParameterSet parameters{preprocessParameters()};
+};
+
+int runPreprocess(Session& session, const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    // A target that cannot be written is a wrong command line, found before the long reading.
+    if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
+        return session.failed(target.error());
+    const JobControl& control = session.control();
+    const Result<LoadedGeometry> loaded = readGeometry(options.in, control.sub(0, 0.3));
+    if (!loaded) return session.failed(loaded.error());
+    for (const std::string& warning : loaded->info.warnings)
+        session.log("warning: " + options.in + ": " + warning);
+    const PointCloud& cloud = loaded->geometry.vertices;
+    if (loaded->geometry.isMesh())
+        session.log(options.in +
+                    " is a mesh: its vertices are filtered as points, its triangles are left out");
+
+    const double metresPerUnit = metresPer(*lengthUnitFromSymbol(options.unit));
+    const ParameterSet chosen = withChosenRadius(cloud, options.parameters, metresPerUnit, control);
+    auto result = preprocess(cloud, chosen, metresPerUnit, control.sub(0.3, 0.8));
+    if (!result) return session.failed(result.error());
+    const std::size_t outputPoints = result->size();
+    const Status written =
+        writeGeometry(options.out, {std::move(*result), {}}, {&loaded->info}, control.sub(0.8, 1));
+    if (!written) return session.failed(written.error());
+    control.progress(1, "writing");
+
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    session.print(options.out + ": " + std::to_string(outputPoints) + " of " + std::to_string(cloud.size()) +
+                  " points, " + fixedText(elapsed.count(), 2) + " s");
+    session.printJson({{"path", options.out},
+                       {"input_points", cloud.size()},
+                       {"output_points", outputPoints},
+                       {"unit", options.unit},
+                       {"parameters", parametersJson(chosen)},
+                       {"seconds", elapsed.count()},
+                       {"warnings", loaded->info.warnings}});
+    return 0;
+}
+
+}  // namespace
+
+Run declarePreprocess(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("IN", options->in, "Cloud to read; of a mesh, its vertices are taken")->required();
+    command.add_option("OUT", options->out, "File to write; its extension names the format")->required();
+    command
+        .add_option(
+            "--unit", options->unit,
+            "Unit of the coordinates in IN and OUT, m or mm; all other lengths are metres. Default: m.")
+        ->check(CLI::IsMember({"m", "mm"}));
+    addParameterOptions(command, options->parameters);
+    return [options](Session& session) { return runPreprocess(session, *options); };
+}
+
+}  // namespace vestige::cli
