@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "core/base/Parallel.h"
 #include "core/filters/CellGrid.h"
 #include "core/filters/LoopProgress.h"
 #include "core/filters/WorldPoints.h"
+#include "core/geometry/Octree.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kCellGrain = 128;
+constexpr std::size_t kPointGrain = 1024;
 /// Beyond any radius, and its square is still a float.
 constexpr float kFarAway = 1e18F;
 
@@ -58,9 +61,7 @@ class Collector {
             }
         }
         nearby.count = x_.size();
-        const std::size_t filled =
-            (nearby.count + NearbyPoints::kLanes - 1) / NearbyPoints::kLanes * NearbyPoints::kLanes;
-        for (auto* axis : {&x_, &y_, &z_}) axis->resize(filled, kFarAway);
+        for (auto* axis : {&x_, &y_, &z_}) axis->resize(NearbyPoints::filled(nearby.count), kFarAway);
         nearby.x = x_;
         nearby.y = y_;
         nearby.z = z_;
@@ -92,14 +93,9 @@ class Collector {
     std::vector<float> z_;
 };
 
-}  // namespace
-
-void forNearbyPoints(const PointCloud& cloud, double radius, const std::string& step,
-                     const JobControl& control, const std::function<void(const NearbyPoints&)>& use) {
-    // A hair wider than the radius: rounding may not put a neighbour two cells away.
-    const CellGrid grid(cloud, CellGrid::coveringSize(cloud, radius * (1 + 1e-6)), control);
+void forCells(const PointCloud& cloud, const CellGrid& grid, LoopProgress& progress,
+              const std::function<void(const NearbyPoints&)>& use) {
     const std::vector<Eigen::Vector3f> places = placesInCells(cloud, grid);
-    LoopProgress progress(control, cloud.size(), step);
     parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
         Collector collector(grid, places, begin);
         for (std::size_t cell = begin; cell < end; ++cell) {
@@ -108,6 +104,57 @@ void forNearbyPoints(const PointCloud& cloud, double radius, const std::string& 
         }
         progress.done(grid.begin(end) - grid.begin(begin));
     });
+}
+
+/// For clouds with strays so far off that a grid would need giant cells: point by point.
+void forPoints(const PointCloud& cloud, double radius, LoopProgress& progress,
+               const std::function<void(const NearbyPoints&)>& use) {
+    const std::shared_ptr<const PointCloud> borrowed(std::shared_ptr<void>{}, &cloud);
+    const Octree octree(borrowed);
+    const WorldPoints world(cloud);
+    parallelFor(cloud.size(), kPointGrain, [&](std::size_t begin, std::size_t end) {
+        std::vector<Octree::Neighbour> found;
+        std::array<std::vector<float>, 3> axes;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t self = octree.order()[i];
+            const Eigen::Vector3f& offset = cloud.offsets()[self];
+            // What residuals add to the offsets of both points is less than their last bits.
+            const double unsure = 1e-6 * static_cast<double>(offset.cwiseAbs().maxCoeff());
+            octree.radiusSearch(offset, static_cast<float>((radius + unsure) * (1 + 1e-6)), found);
+            NearbyPoints nearby;
+            nearby.own = octree.order().subspan(i, 1);
+            nearby.count = found.size();
+            for (int axis = 0; axis < 3; ++axis) {
+                auto& values = axes[static_cast<std::size_t>(axis)];
+                values.clear();
+                for (const Octree::Neighbour& other : found)
+                    values.push_back(
+                        static_cast<float>(world.along(axis, other.point) - world.along(axis, self)));
+                values.resize(NearbyPoints::filled(found.size()), kFarAway);
+            }
+            while (found[nearby.firstOwn].point != self) ++nearby.firstOwn;
+            nearby.x = axes[0];
+            nearby.y = axes[1];
+            nearby.z = axes[2];
+            use(nearby);
+        }
+        progress.done(end - begin);
+    });
+}
+
+}  // namespace
+
+void forNearbyPoints(const PointCloud& cloud, double radius, const std::string& step,
+                     const JobControl& control, const std::function<void(const NearbyPoints&)>& use) {
+    LoopProgress progress(control, cloud.size(), step);
+    // A hair wider than the radius: rounding may not put a neighbour two cells away.
+    const double least = radius * (1 + 1e-6);
+    const double size = CellGrid::coveringSize(cloud, least);
+    if (size > 2 * least) {
+        forPoints(cloud, radius, progress, use);
+    } else {
+        forCells(cloud, CellGrid(cloud, size, control), progress, use);
+    }
 }
 
 }  // namespace vestige

@@ -97,8 +97,12 @@ PointCloud moved(const PointCloud& cloud, double radius, const JobControl& contr
     PointCloudBuilder builder(cloud.origin());
     builder.resize(cloud.size());
     forNearbyPoints(cloud, radius, "filter", control, [&](const NearbyPoints& nearby) {
-        for (std::size_t i = 0; i < nearby.own.size(); ++i)
-            builder.setPoint(nearby.own[i], world[nearby.own[i]] + shift(nearby, i));
+        Eigen::Vector3d last = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < nearby.own.size(); ++i) {
+            // Scanners write thousands of lost points to one place; their answer is asked for once.
+            if (i == 0 || !nearby.coincide(i, i - 1)) last = shift(nearby, i);
+            builder.setPoint(nearby.own[i], world[nearby.own[i]] + last);
+        }
     });
     builder.attributes() = cloud.attributes();
     return std::move(builder).build();

@@ -12,6 +12,13 @@ namespace vestige {
 namespace {
 
 constexpr int kLevels = MortonGrid::kLevels;
+using Code = KeyedIndex<std::uint64_t>;
+
+/// Points closer together than this share of the cloud's longest side are not told apart: that is the steps
+/// of a grid within a grid's step, and bounds the depth of the tree.
+constexpr double kFinest = 1.0 / (std::uint64_t{1} << 2 * kLevels);
+/// A node's children replace it on a search's stack: at most 7 more for each level of three grids.
+constexpr std::size_t kStack = 8 * 3 * kLevels;
 constexpr std::size_t kGrain = 4096;
 constexpr std::size_t kSpacingNeighbours = 8;
 
@@ -24,24 +31,63 @@ struct PendingChild {
     std::uint32_t end;
 };
 
-/// The non-empty children of a range of sorted codes, one level of the tree finer where the range divides.
-/// None for a leaf.
-void children(const std::vector<KeyedIndex<std::uint64_t>>& sorted, std::uint32_t begin, std::uint32_t end,
-              std::uint32_t leafSize, std::vector<PendingChild>& into) {
-    if (end - begin <= leafSize || sorted[begin].key == sorted[end - 1].key) return;
-    // Levels at which all points share one octant get no node of their own.
-    int level = 0;
-    while (octant(sorted[begin].key, level) == octant(sorted[end - 1].key, level)) ++level;
-    for (std::uint32_t at = begin; at < end;) {
-        const unsigned here = octant(sorted[at].key, level);
-        const auto next = std::partition_point(
-            sorted.begin() + at, sorted.begin() + end,
-            [&](const KeyedIndex<std::uint64_t>& entry) { return octant(entry.key, level) <= here; });
-        const auto stop = static_cast<std::uint32_t>(next - sorted.begin());
-        into.push_back({at, stop});
-        at = stop;
+/// Finds the children of nodes, each a range of the sorted codes; ranges do not overlap, so many threads may
+/// ask for their own.
+class Divider {
+  public:
+    Divider(const std::vector<Eigen::Vector3f>& offsets, std::vector<Code>& sorted, std::uint32_t leafSize)
+        : offsets_(offsets), sorted_(sorted), leafSize_(leafSize), finest_(kFinest * longestSide(sorted)) {}
+
+    /// The non-empty children of a range, of the first level of the tree at which it divides. None for a
+    /// leaf.
+    void divide(std::uint32_t begin, std::uint32_t end, std::vector<PendingChild>& into) {
+        if (end - begin <= leafSize_) return;
+        if (sorted_[begin].key == sorted_[end - 1].key && !refine(begin, end)) return;
+        int level = 0;
+        while (octant(sorted_[begin].key, level) == octant(sorted_[end - 1].key, level)) ++level;
+        for (std::uint32_t at = begin; at < end;) {
+            const unsigned here = octant(sorted_[at].key, level);
+            const auto next =
+                std::partition_point(sorted_.begin() + at, sorted_.begin() + end,
+                                     [&](const Code& code) { return octant(code.key, level) <= here; });
+            const auto stop = static_cast<std::uint32_t>(next - sorted_.begin());
+            into.push_back({at, stop});
+            at = stop;
+        }
     }
-}
+
+  private:
+    /// A far stray makes the steps of the grid coarse: points that share one step get codes of a grid of
+    /// their own. False when they are too close together even for that.
+    bool refine(std::uint32_t begin, std::uint32_t end) {
+        const std::span<Code> range = std::span(sorted_).subspan(begin, end - begin);
+        if (!(longestSide(range) > finest_)) return false;
+        std::vector<Eigen::Vector3f> places;
+        places.reserve(range.size());
+        for (const Code& code : range) places.push_back(offsets_[code.index]);
+        const MortonGrid grid(places);
+        for (Code& code : range) code.key = grid.code(offsets_[code.index]);
+        std::sort(range.begin(), range.end(), [](const Code& a, const Code& b) {
+            return a.key != b.key ? a.key < b.key : a.index < b.index;
+        });
+        return true;
+    }
+
+    double longestSide(std::span<const Code> range) const {
+        Eigen::Vector3f min = offsets_[range.front().index];
+        Eigen::Vector3f max = min;
+        for (const Code& code : range) {
+            min = min.cwiseMin(offsets_[code.index]);
+            max = max.cwiseMax(offsets_[code.index]);
+        }
+        return (max.cast<double>() - min.cast<double>()).maxCoeff();
+    }
+
+    const std::vector<Eigen::Vector3f>& offsets_;
+    std::vector<Code>& sorted_;
+    std::uint32_t leafSize_;
+    double finest_;
+};
 
 // Points and boxes go through the same operations in the same order, so a box is never found farther than a
 // point in it: rounding is monotonous.
@@ -67,21 +113,17 @@ Octree::Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize) 
 void Octree::build(std::uint32_t leafSize) {
     const std::vector<Eigen::Vector3f>& offsets = cloud_->offsets();
     const MortonGrid grid(offsets);
-    const std::vector<KeyedIndex<std::uint64_t>> sorted = sortedByKey<std::uint64_t>(
+    std::vector<Code> sorted = sortedByKey<std::uint64_t>(
         offsets.size(), 3 * kLevels, [&](std::size_t begin, std::span<std::uint64_t> keys) {
             for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = grid.code(offsets[begin + i]);
         });
-    order_.resize(sorted.size());
-    parallelFor(sorted.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) order_[i] = sorted[i].index;
-    });
-
     const auto addNode = [&](std::uint32_t begin, std::uint32_t end) {
         Node& node = nodes_.emplace_back();
         node.begin = begin;
         node.end = end;
     };
 
+    Divider divider(offsets, sorted, leafSize);
     // Level by level, each level's children found in parallel and appended in order.
     addNode(0, static_cast<std::uint32_t>(sorted.size()));
     for (std::size_t level = 0; level < nodes_.size();) {
@@ -91,7 +133,7 @@ void Octree::build(std::uint32_t leafSize) {
         parallelChunks(many, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t i = first + begin; i < first + end; ++i) {
                 const std::size_t before = found[chunk].size();
-                children(sorted, nodes_[i].begin, nodes_[i].end, leafSize, found[chunk]);
+                divider.divide(nodes_[i].begin, nodes_[i].end, found[chunk]);
                 nodes_[i].childCount = static_cast<std::uint8_t>(found[chunk].size() - before);
             }
         });
@@ -105,6 +147,10 @@ void Octree::build(std::uint32_t leafSize) {
             for (const PendingChild& child : chunk) addNode(child.begin, child.end);
     }
     nodes_.shrink_to_fit();
+    order_.resize(sorted.size());
+    parallelFor(sorted.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) order_[i] = sorted[i].index;
+    });
 }
 
 void Octree::fillBoxes() {
@@ -136,8 +182,7 @@ void Octree::radiusSearch(const Eigen::Vector3f& centre, float radius, std::vect
     found.clear();
     if (nodes_.empty()) return;
     const float limit = radius * radius;
-    // A node's children replace it on the stack: at most 7 more for each of 21 levels.
-    std::uint32_t stack[8 * kLevels];
+    std::uint32_t stack[kStack];
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
@@ -162,7 +207,7 @@ void Octree::nearest(const Eigen::Vector3f& centre, std::size_t count, std::vect
         float distance;
         std::uint32_t node;
     };
-    Waiting stack[8 * kLevels];
+    Waiting stack[kStack];
     std::size_t depth = 0;
     stack[depth++] = {squaredDistance(nodes_[0], centre), 0};
     // `found` is a heap whose front is the worst of the nearest so far.
@@ -180,7 +225,11 @@ void Octree::nearest(const Eigen::Vector3f& centre, std::size_t count, std::vect
             stack[place] = entry;
         }
         if (node.childCount > 0) continue;
-        for (std::uint32_t at = node.begin; at < node.end; ++at) {
+        // Points that all coincide are in order of their index; those after the first `count` have no chance.
+        const std::uint32_t all = node.end - node.begin;
+        const auto many =
+            node.min == node.max ? static_cast<std::uint32_t>(std::min<std::size_t>(all, count)) : all;
+        for (std::uint32_t at = node.begin; at < node.begin + many; ++at) {
             const Neighbour candidate{order_[at], squared(cloud_->offsets()[order_[at]] - centre)};
             if (found.size() == count) {
                 if (!nearer(candidate, found.front())) continue;

@@ -30,7 +30,7 @@ class Octree {
     };
 
     /// `cloud` has fewer than 2^32 points; a leaf has at most `leafSize` of them, but for points closer
-    /// together than 2^-21 of the cloud's longest side.
+    /// together than 2^-42 of the cloud's longest side.
     explicit Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize = 32);
 
     const PointCloud& cloud() const { return *cloud_; }

@@ -155,6 +155,8 @@ std::optional<Pick> pickPoint(std::span<const PickLayer> layers, const ViewCamer
         for (const Pick& pick : here) {
             if (pick.depth_m > limit) break;
             candidates.push_back({pick, next.cone});
+            // At the limit itself it can lower it no more; points that all coincide are many.
+            if (pick.depth_m == limit) continue;
             limit = std::min(limit, pick.depth_m + options.hiddenBehindSpacings * cone.spacing(pick.point));
         }
     }

@@ -140,6 +140,26 @@ TEST(Neighbourhood, FarFromTheOriginNothingIsLost) {
                   1e-6);
 }
 
+TEST(Neighbourhood, AFarStrayChangesNothingForTheRest) {
+    auto points = roughScene(3000, {0, 0, 0});
+    points.emplace_back(4e7, 0, 0);
+    for (const NeighbourhoodFilter filter : kFilters) {
+        const auto alongside = filterNeighbourhood(cloudOf(points), {filter, 0.14701});
+        ASSERT_TRUE(alongside);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            ASSERT_LT((alongside->point(i) - reference(points, i, 0.14701, filter)).norm(), 1e-6);
+        EXPECT_EQ(alongside->point(3000), points[3000]);
+    }
+}
+
+TEST(Neighbourhood, ThousandsOfPointsInOnePlaceAreNoBurden) {
+    auto points = roughScene(3000, {0, 0, 0});
+    points.insert(points.end(), 300000, Eigen::Vector3d(50, 50, 0));
+    const auto filtered = filterNeighbourhood(cloudOf(points), {NeighbourhoodFilter::mean, 0.1});
+    ASSERT_TRUE(filtered);
+    for (std::size_t i = 3000; i < points.size(); ++i) ASSERT_EQ(filtered->point(i), points[i]);
+}
+
 TEST(Neighbourhood, AutomaticRadiusIsThreeSpacings) {
     std::vector<Eigen::Vector3d> points;
     for (int x = 0; x < 100; ++x)

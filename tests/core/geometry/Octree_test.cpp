@@ -164,13 +164,35 @@ TEST(Octree, SmallAndDegenerateCloudsHaveAnswers) {
     single.add({1, 2, 3});
     EXPECT_EQ(Octree(shared(std::move(single))).localSpacing(0), 0);
 
-    PointCloudBuilder same;
-    for (int i = 0; i < 500; ++i) same.add({1, 2, 3});
+    PointCloudBuilder same(Eigen::Vector3d::Zero());
+    for (int i = 0; i < 200000; ++i) same.add({1, 2, 3});
+    same.add({0, 0, 0});
     const Octree coincident(shared(std::move(same)));
-    EXPECT_EQ(coincident.localSpacing(77), 0);
+    // Each answer without a look at all the others, which would take minutes.
+    for (std::uint32_t i = 0; i < 200000; ++i) ASSERT_EQ(coincident.localSpacing(i), 0);
     coincident.nearest({0, 0, 0}, 3, found);
     ASSERT_EQ(found.size(), 3U);
-    for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(found[i].point, i);
+    EXPECT_EQ(found[0].point, 200000U);
+    EXPECT_EQ(found[1].point, 0U);
+    EXPECT_EQ(found[2].point, 1U);
+}
+
+TEST(Octree, AFarStrayDoesNotCoarsenTheRest) {
+    Random random(6);
+    PointCloudBuilder builder(Eigen::Vector3d::Zero());
+    builder.add({3e9, -1e9, 0});
+    for (int i = 0; i < 20000; ++i)
+        builder.add(Eigen::Vector3d(random.uniform(0, 10), random.uniform(0, 10), 0));
+    const auto cloud = shared(std::move(builder));
+    const Octree octree(cloud);
+    for (const Octree::Node& node : octree.nodes())
+        ASSERT_TRUE(node.childCount > 0 || node.end - node.begin <= 32);
+    std::vector<Octree::Neighbour> found;
+    for (std::uint32_t i = 1; i < 20000; i += 997) {
+        const auto all = allByDistance(*cloud, cloud->offsets()[i]);
+        octree.nearest(cloud->offsets()[i], 20, found);
+        for (std::size_t k = 0; k < 20; ++k) ASSERT_EQ(found[k].point, all[k].point);
+    }
 }
 
 TEST(Octree, CoarseIsSpreadOverTheWholeCloud) {
