@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kSample = 20000;
 constexpr double kStray = 0.002;
 constexpr double kFilled = 0.92;
-constexpr int kSteps = 8;
+constexpr int kSteps = 20;
 
 std::vector<Eigen::Vector3d> samplePoints(const ViewDescription& view) {
     std::vector<Eigen::Vector3d> sample;
@@ -39,13 +39,29 @@ Extent extentOf(std::vector<double>& values) {
     return {low, *(values.end() - 1 - drop)};
 }
 
+/// The box of all but the stray points on each axis.
+BoundingBox boxOf(const std::vector<Eigen::Vector3d>& sample) {
+    BoundingBox box;
+    if (sample.empty()) return box;
+    std::vector<double> values(sample.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        std::transform(sample.begin(), sample.end(), values.begin(),
+                       [axis](const Eigen::Vector3d& point) { return point[axis]; });
+        const Extent extent = extentOf(values);
+        box.min[axis] = extent.low;
+        box.max[axis] = extent.high;
+    }
+    return box;
+}
+
 }  // namespace
 
 ViewCamera frameView(const ViewDescription& view, NamedView direction, int width_px, int height_px) {
-    ViewCamera camera = fitCamera(bounds(view), direction, width_px, height_px);
     const std::vector<Eigen::Vector3d> sample = samplePoints(view);
-    const Eigen::Vector3d right = camera.direction().cross(camera.viewUp).normalized();
-    const Eigen::Vector3d up = right.cross(camera.direction());
+    ViewCamera camera = fitCamera(boxOf(sample), direction, width_px, height_px);
+    const Eigen::Vector3d forward = camera.direction();
+    const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
+    const Eigen::Vector3d up = right.cross(forward);
     for (int step = 0; step < kSteps; ++step) {
         std::vector<double> across;
         std::vector<double> down;
@@ -64,13 +80,14 @@ ViewCamera frameView(const ViewDescription& view, NamedView direction, int width
         const double metres = camera.metresPerPixel(distance);
         const Eigen::Vector3d shift =
             metres * (0.5 * (x.low + x.high - width_px) * right - 0.5 * (y.low + y.high - height_px) * up);
-        const double factor = filled / kFilled;
+        // In small steps, so that no point passes behind the camera before its growth is seen.
+        const double factor = std::clamp(filled / kFilled, 0.6, 1.6);
         camera.focalPoint += shift;
         camera.position += shift;
         if (camera.parallel)
             camera.halfHeight_m *= factor;
         else
-            camera.position = camera.focalPoint - factor * distance * camera.direction();
+            camera.position = camera.focalPoint - factor * distance * forward;
     }
     return camera;
 }

@@ -56,7 +56,7 @@ TEST(FrameView, KeepsTheDirectionOfTheNamedView) {
         const ViewDescription view = site(true);
         const ViewCamera fitted = fitCamera(bounds(view), named, 1400, 900);
         const ViewCamera framed = frameView(view, named, 1400, 900);
-        EXPECT_LT((fitted.direction() - framed.direction()).norm(), 1e-9) << name(named);
+        EXPECT_LT((fitted.direction() - framed.direction()).norm(), 1e-8) << name(named);
         EXPECT_EQ(fitted.parallel, framed.parallel);
     }
 }
