@@ -7,9 +7,12 @@
 
 #include "core/base/Hash.h"
 #include "core/io/formats/LasFormat.h"
+#include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
 #include "core/io/formats/PlyFormat.h"
+#include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
+#include "core/io/formats/VtkFormat.h"
 
 namespace vestige {
 namespace {
@@ -65,6 +68,9 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<LasFormat>());
         all.push_back(std::make_unique<PlyFormat>());
         all.push_back(std::make_unique<PcdFormat>());
+        all.push_back(std::make_unique<VtkFormat>());
+        all.push_back(std::make_unique<StlFormat>());
+        all.push_back(std::make_unique<ObjFormat>());
         all.push_back(std::make_unique<TextFormat>());
         return all;
     }();
@@ -74,7 +80,9 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
 Result<const FileFormat*> formatOfFile(const std::filesystem::path& file) {
     const Result<std::vector<std::byte>> head = headOf(file);
     if (!head) return fail(head.error());
-    if (head->empty()) return fail(ErrorCode::input, "the file is empty", file.string());
+    if (head->empty())
+        return fail(ErrorCode::input, "the file is empty", file.string() + ", byte 0",
+                    "a point cloud or a mesh");
     const std::string extension = extensionOf(file);
     for (const auto& format : fileFormats())
         if (format->recognises(*head, extension)) return format.get();
@@ -83,7 +91,7 @@ Result<const FileFormat*> formatOfFile(const std::filesystem::path& file) {
         if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
             return format.get();
     }
-    return fail(ErrorCode::input, "byte 0: this is not a kind of file that Vestige reads", file.string(),
+    return fail(ErrorCode::input, "this is not a kind of file that Vestige reads", file.string() + ", byte 0",
                 "readable: " + listed(false));
 }
 

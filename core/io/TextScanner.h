@@ -21,6 +21,8 @@ class TextScanner {
     std::string_view nextLine();
     /// The next run of characters that are no blanks, across lines; empty at the end of the text.
     std::string_view nextToken();
+    /// Over `bytes` of something else than text; line() is of the text before it from then on.
+    void skip(std::size_t bytes) { offset_ += bytes; }
     /// The next token as a number; nothing when it is none or the text ends.
     std::optional<double> nextNumber();
 
