@@ -7,6 +7,9 @@ const std::vector<Verb>& verbs() {
         {"info", "What clouds and meshes are and hold, with their SHA-256.", declareInfo},
         {"convert", "From any readable to any writable format, by extension.", declareConvert},
         {"preprocess", "A cloud without its outliers, smoothed and thinned.", declarePreprocess},
+        {"register", "The pose that lays one cloud or mesh on another.", declareRegister},
+        {"evaluate", "Registration of a sequence against its known poses, by method, voxel and filter.",
+         declareEvaluate},
     };
     return all;
 }

@@ -35,6 +35,8 @@ Result<std::vector<PointPair>> readPointPairs(const std::filesystem::path& file)
 
 /// {"pose": [16], "scale": s}. ErrorCode::input names the file and the field.
 Result<Similarity> readPoseFile(const std::filesystem::path& file);
+/// The text of such a file; the same bits for the same pose.
+std::string poseFileText(const Similarity& targetFromSource);
 Status writePoseFile(const std::filesystem::path& file, const Similarity& targetFromSource);
 
 /// What unit a scan's coordinates are in, with a sentence for the user that says why.

@@ -1,6 +1,8 @@
 #include "core/registration/NdtScore.h"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 
 #include "core/base/Parallel.h"
 
@@ -25,6 +27,24 @@ struct Sums {
     }
 };
 
+/// Exponents below this leave nothing of a point's score.
+constexpr double kSmallestExponent = -40;
+
+/// e^x for kSmallestExponent <= x <= 0, to 1e-15; the same bits on every processor, unlike the C library's.
+double exponential(double x) {
+    constexpr double kLog2E = 1.4426950408889634074, kLn2High = 6.93147180369123816490e-01,
+                     kLn2Low = 1.90821492927058770002e-10;
+    const auto power = static_cast<std::int64_t>(x * kLog2E - 0.5);
+    const auto whole = static_cast<double>(power);
+    const double r = (x - whole * kLn2High) - whole * kLn2Low;
+    constexpr std::array kInverseFactorials{
+        1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
+        1.0 / 120,       1.0 / 24,       1.0 / 6,       1.0 / 2,      1.0,         1.0};
+    double sum = 0;
+    for (const double coefficient : kInverseFactorials) sum = sum * r + coefficient;
+    return sum * std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52);
+}
+
 /// Adds one point: `x` in the target's frame, `y` = R times the centred source point, over the radius.
 ///
 /// With e = x - mean, u = C^-1 e, q = e.u and J = [I | -[y]x] the derivatives of s = d1 exp(-d2 q / 2) are
@@ -42,9 +62,11 @@ void addPoint(Sums& sums, const NormalCell& cell, const Eigen::Vector3d& x, cons
     const double uz = axz * ex + ayz * ey + azz * ez;
     const double q = ex * ux + ey * uy + ez * uz;
     const double d2 = cell.steepness;
-    const double s = cell.depth * std::exp(-0.5 * d2 * q);
-    sums.score += s;
     ++sums.inside;
+    const double exponent = -0.5 * d2 * q;
+    if (!(exponent >= kSmallestExponent)) return;
+    const double s = cell.depth * exponential(exponent);
+    sums.score += s;
 
     const double k = -d2 * s;
     const double yx = y.x(), yy = y.y(), yz = y.z();

@@ -50,9 +50,13 @@ Result<Similarity> readPoseFile(const std::filesystem::path& file) {
     return similarityOf(object, file.string());
 }
 
-Status writePoseFile(const std::filesystem::path& file, const Similarity& targetFromSource) {
+std::string poseFileText(const Similarity& targetFromSource) {
     const json object{{"pose", rowMajor(targetFromSource.pose)}, {"scale", targetFromSource.scale}};
-    return writeTextFile(file, object.dump(2) + "\n");
+    return object.dump(2) + "\n";
+}
+
+Status writePoseFile(const std::filesystem::path& file, const Similarity& targetFromSource) {
+    return writeTextFile(file, poseFileText(targetFromSource));
 }
 
 }  // namespace vestige

@@ -6,6 +6,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/registration/ImprovedNdt.h"
+#include "core/registration/PeerMethods.h"
 
 namespace vestige {
 namespace {
@@ -14,6 +15,7 @@ constexpr double kMeshSamples = 1e6;
 constexpr double kLargestStart_m = 4;
 constexpr double kPaperStart_m = 1;  // the largest size of the publication's table 2
 constexpr double kFloor_m = 0.1;
+constexpr double kPeerVoxel_m = 1;
 
 PointCloud pointsOf(const TriangleMesh& geometry) {
     if (!geometry.isMesh()) return geometry.vertices;
@@ -39,6 +41,17 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
     options.trustRegion.gradientLimit = parameters.real("gradient_limit");
     options.trustRegion.stepLimit_m = parameters.real("step_limit_m");
     options.trustRegion.iterationLimit = static_cast<int>(parameters.integer("max_iterations"));
+    return options;
+}
+
+PeerMethodOptions peerOptions(const ParameterSet& parameters, double sourceRadius_m) {
+    PeerMethodOptions options;
+    options.method = parameters.text("method");
+    options.voxel_m = parameters.optionalReal("voxel_m").value_or(std::min(kPeerVoxel_m, sourceRadius_m / 4));
+    options.leaf_m = parameters.optionalReal("leaf_m");
+    if (!parameters.isDefault("outlier_ratio")) options.outlierRatio = parameters.real("outlier_ratio");
+    options.rangeNoise_m = parameters.real("range_noise_m");
+    options.iterationLimit = static_cast<int>(parameters.integer("max_iterations"));
     return options;
 }
 
@@ -77,10 +90,13 @@ Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const
         const double radius = initial.scale * surfaceRadius(sourcePoints);
         if (!(radius > 0))
             return fail(ErrorCode::untrustworthy, "the source has no extent, it cannot be registered");
-        const ImprovedNdtOptions options = ndtOptions(parameters, radius);
-        const double margin = 2 * std::max(options.voxelStart_m, options.voxel_m.value_or(0)) + 0.5 * radius;
+        const ImprovedNdtOptions ndt = ndtOptions(parameters, radius);
+        const double margin = 2 * std::max(ndt.voxelStart_m, ndt.voxel_m.value_or(0)) + 0.5 * radius;
         const RegistrationFrame frame(targetPoints, sourcePoints, initial, margin);
-        Result<RegistrationResult> result = improvedNdt(frame, initial, options, control);
+        Result<RegistrationResult> result =
+            parameters.text("method") == "improved-ndt"
+                ? improvedNdt(frame, initial, ndt, control)
+                : peerMethod(frame, initial, peerOptions(parameters, radius), control);
         if (!result) return result;
         result->method = parameters.text("method");
         result->initial = initial;

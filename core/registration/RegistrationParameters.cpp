@@ -34,7 +34,8 @@ const ParameterTable& registrationParameters() {
          0.001,
          100.0,
          {},
-         "Edge of the smallest NDT cell v_n; automatic: where most of the target's cells are flat."},
+         "Edge of the smallest NDT cell v_n; automatic: where most of the target's cells are flat (ndt and "
+         "icp: 1 m)."},
         {"voxel_start_m",
          "voxel-start",
          "Largest voxel",
@@ -54,7 +55,7 @@ const ParameterTable& registrationParameters() {
          0.0001,
          100.0,
          {},
-         "One source point per voxel of this edge; automatic: half the smallest voxel."},
+         "One source point per voxel of this edge; automatic: half the smallest voxel (ICP: an eighth)."},
         {"outlier_ratio",
          "outlier-ratio",
          "Outlier ratio",

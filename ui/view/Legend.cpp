@@ -63,10 +63,7 @@ QString numberText(const ColorScale& scale, double value) {
     const double factor = scale.displayFactor;
     const int decimals =
         scale.warm ? (scale.high * factor >= 5 ? 0 : 1) : decimalsFor((scale.high - scale.low) * factor);
-    // A true minus sign; "-0.0" would only puzzle.
-    QString text = QString::fromStdString(fixedText(value * factor, decimals));
-    if (text.toDouble() == 0) text.remove('-');
-    return text.replace('-', QChar(0x2212));
+    return QString::fromStdString(fixedText(value * factor, decimals));
 }
 
 void paintBar(QPainter& painter, const ViewTheme& theme, const QRectF& place, const ColorScale& scale) {

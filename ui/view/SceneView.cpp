@@ -9,7 +9,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "core/pipeline/FrameView.h"
 #include "ui/view/FrameBudget.h"
 #include "ui/view/Overlay.h"
 #include "ui/view/SceneDrawing.h"
@@ -131,8 +130,7 @@ SceneView::SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent)
     QWidget* widget = d_->surface->widget();
     d_->overlay = new OverlayWidget(widget, [this](QPainter& painter) { d_->paintOver(painter); });
     d_->mouse = std::make_unique<ViewMouse>([this](const QPoint& position) -> std::optional<Eigen::Vector3d> {
-        auto pick = d_->pick(position, PickOptions{}.radius_px);
-        if (!pick) pick = d_->pick(position, kPivotRadius_px);
+        const auto pick = d_->pick(position, kPivotRadius_px);
         return pick ? std::optional(pick->world) : std::nullopt;
     });
     widget->setMouseTracking(true);
@@ -196,7 +194,7 @@ void SceneView::setCamera(const ViewCamera& camera) {
 
 void SceneView::showNamedView(NamedView view) {
     d_->fitCamera();
-    setCamera(frameView(d_->description, view, d_->camera.width_px, d_->camera.height_px));
+    setCamera(fitCamera(bounds(d_->description), view, d_->camera.width_px, d_->camera.height_px));
 }
 
 void SceneView::setTool(ViewTool* tool) {

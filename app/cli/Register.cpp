@@ -1,0 +1,147 @@
+#include "core/registration/Register.h"
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/Session.h"
+#include "core/base/AtomicFile.h"
+#include "core/base/Numbers.h"
+#include "core/io/FormatRegistry.h"
+#include "core/registration/InitialPose.h"
+#include "core/registration/RegistrationJson.h"
+
+namespace vestige::cli {
+namespace {
+
+struct Options {
+    std::string target;
+    std::string source;
+    std::string poseOut;
+    std::string init = "identity";
+    std::string unit = "auto";
+    std::string aligned;
+    ParameterSet parameters{registrationParameters()};
+};
+
+/// Where the source starts from, and what the user should know about it.
+struct Start {
+    Similarity pose;
+    std::vector<std::string> notes;
+};
+
+/// The unit that --unit names, else the one that the clouds (and pairs) speak for.
+double scaleOf(const Options& options, const TriangleMesh& target, const TriangleMesh& source,
+               std::span<const PointPair> pairs, std::vector<std::string>& notes) {
+    if (const auto unit = lengthUnitFromSymbol(options.unit)) return metresPer(*unit);
+    const UnitGuess guess = guessUnit(target, source, pairs);
+    if (guess.unit != LengthUnit::metre || !guess.certain)
+        notes.push_back(guess.reason + (guess.certain ? "" : " (not certain: say --unit m or --unit mm)"));
+    return metresPer(guess.unit);
+}
+
+Result<Start> startFrom(const Options& options, const TriangleMesh& target, const TriangleMesh& source) {
+    Start start;
+    if (options.init == "identity") {
+        start.pose.scale = scaleOf(options, target, source, {}, start.notes);
+        return start;
+    }
+    if (!options.init.ends_with(".csv")) {
+        const Result<Similarity> pose = readPoseFile(options.init);
+        if (!pose) return fail(pose.error());
+        start.pose = *pose;
+        if (const auto unit = lengthUnitFromSymbol(options.unit)) start.pose.scale = metresPer(*unit);
+        return start;
+    }
+    const Result<std::vector<PointPair>> pairs = readPointPairs(options.init);
+    if (!pairs) return fail(pairs.error());
+    const double scale = scaleOf(options, target, source, *pairs, start.notes);
+    const Result<PairAlignment> alignment = alignPairs(*pairs, scale);
+    if (!alignment) return fail(alignment.error());
+    start.pose = alignment->targetFromSource;
+    std::string residuals;
+    for (const double residual : alignment->residuals_m) residuals += " " + fixedText(residual, 4);
+    start.notes.push_back("First pose from " + std::to_string(pairs->size()) +
+                          " pairs, residuals in m:" + residuals);
+    return start;
+}
+
+/// All outputs or none: the pose waits under its temporary name until the aligned cloud is written.
+Status writeOutputs(const Options& options, const LoadedGeometry& source, const Similarity& pose,
+                    const JobControl& control) {
+    AtomicFile poseFile(options.poseOut);
+    if (const Status opened = poseFile.open(); !opened) return opened;
+    poseFile.write(poseFileText(pose));
+    if (!options.aligned.empty()) {
+        const Status written =
+            writeGeometry(options.aligned, source.geometry.transformed(pose), {&source.info}, control);
+        if (!written) return written;
+    }
+    return poseFile.commit();
+}
+
+void report(const Session& session, const Options& options, const RegistrationResult& result) {
+    for (const std::string& note : result.notes) session.log(note);
+    if (!result.converged) session.log("warning: not converged within the allowed iterations");
+    session.print("pose written to " + options.poseOut);
+    session.print("overlap " + fixedText(100 * result.overlap, 1) + " %, RMSE " +
+                  fixedText(1000 * result.rmse_m, 1) + " mm, " + std::to_string(result.iterations) +
+                  " iterations in " + fixedText(result.seconds, 2) + " s");
+}
+
+int runRegister(Session& session, const Options& options) {
+    if (options.init == "auto")
+        return session.failed({ErrorCode::usage, "the automatic search for a first pose is not available yet",
+                               "--init", "give identity, a pose file or picked pairs (.csv)"});
+    if (!options.aligned.empty())
+        if (const auto format = formatForWriting(options.aligned); !format)
+            return session.failed(format.error());
+    const JobControl& control = session.control();
+    const Result<LoadedGeometry> target = readGeometry(options.target, control.sub(0, 0.3));
+    if (!target) return session.failed(target.error());
+    const Result<LoadedGeometry> source = readGeometry(options.source, control.sub(0.3, 0.6));
+    if (!source) return session.failed(source.error());
+    const Result<Start> start = startFrom(options, target->geometry, source->geometry);
+    if (!start) return session.failed(start.error());
+    Result<RegistrationResult> result = attemptRegistration(target->geometry, source->geometry, start->pose,
+                                                            options.parameters, control.sub(0.6, 0.95));
+    if (!result) return session.failed(result.error());
+    result->notes.insert(result->notes.begin(), start->notes.begin(), start->notes.end());
+    if (!result->trustworthy()) {
+        session.printJson(registrationJson(*result, true));
+        for (const std::string& note : result->notes) session.log(note);
+        Error error{ErrorCode::untrustworthy, result->reasons.front(), options.source,
+                    "nothing was written; check that the clouds show the same place, and give a nearer "
+                    "first pose (--init)"};
+        return session.failed(error);
+    }
+    const Status written = writeOutputs(options, *source, result->targetFromSource, control.sub(0.95, 1));
+    if (!written) return session.failed(written.error());
+    control.progress(1, "registration");
+    report(session, options, *result);
+    session.printJson(registrationJson(*result, true));
+    return 0;
+}
+
+}  // namespace
+
+Run declareRegister(CLI::App& command) {
+    auto options = std::make_shared<Options>();
+    command.add_option("TARGET", options->target, "Cloud or mesh that stays, in metres")->required();
+    command.add_option("SOURCE", options->source, "Cloud or mesh that is laid on the target")->required();
+    command.add_option("--pose-out", options->poseOut, "JSON file for the pose that maps SOURCE into TARGET")
+        ->required();
+    command.add_option(
+        "--init", options->init,
+        "First pose: identity, a pose file (.json) or picked pairs (.csv). Default: identity.");
+    command.add_option("--unit", options->unit, "Unit of SOURCE: m, mm or auto. Default: auto.")
+        ->check([](const std::string& text) {
+            return text == "auto" || lengthUnitFromSymbol(text) ? std::string() : "expected m, mm or auto";
+        });
+    command.add_option("--aligned", options->aligned, "File for the source's points in the target's frame");
+    addParameterOptions(command, options->parameters);
+    return [options](Session& session) { return runRegister(session, *options); };
+}
+
+}  // namespace vestige::cli
