@@ -19,6 +19,11 @@ namespace vestige {
 enum class LayerRole { aerial, handheld, photogrammetry };
 std::string_view name(LayerRole role);
 std::optional<LayerRole> layerRoleFromName(std::string_view name);
+/// The method whose column a layer's picks count for where the case names none: "lidar" or "photogrammetry".
+std::string_view defaultMethod(LayerRole role);
+/// Colour by source of the layer at that place in the case, from a palette that colour-blind eyes can tell
+/// apart.
+std::array<std::uint8_t, 3> defaultTint(std::size_t place);
 
 /// Heavy data of a layer: read once, never changed, shared by scene, view, jobs and undo.
 struct LayerData {
@@ -32,7 +37,7 @@ struct LayerData {
 /// Where a layer's registration starts.
 struct InitIdentity {};
 struct InitPicks {
-    std::filesystem::path picks;  ///< relative to the case
+    std::filesystem::path picks;  ///< absolute once read from a case
 };
 struct InitPose {
     Similarity targetFromSource;
@@ -46,7 +51,7 @@ struct Layer {
     std::string name;  ///< for people; the id where the case gives none
     LayerRole role = LayerRole::aerial;
     std::string method;              ///< the column its picks count for: "lidar", "photogrammetry"
-    std::filesystem::path path;      ///< as in the case file
+    std::filesystem::path path;      ///< absolute once read from a case
     std::optional<LengthUnit> unit;  ///< nothing: recognised
     InitialPoseSpec init;
     bool visible = true;

@@ -14,12 +14,19 @@ struct PickedPoint {
     std::string layer;
     Eigen::Vector3d position;
     std::optional<double> localSpacing_m;  ///< when picked in the window or from an aim
+    /// Picked before the layer was registered: `position` is in the layer's own frame and unit whatever
+    /// happens to it, and moves along when it is registered (see PickFrame.h).
+    bool inLayerFrame = false;
+
+    friend bool operator==(const PickedPoint&, const PickedPoint&) = default;
 };
 
 /// One repetition of a length.
 struct PickedPair {
     PickedPoint a;
     PickedPoint b;
+
+    friend bool operator==(const PickedPair&, const PickedPair&) = default;
 };
 
 /// A click that was recorded as where it was made instead of what it hit: the pipeline resolves it through
@@ -28,10 +35,14 @@ struct Aim {
     std::string view;                 ///< key of Scene views
     Eigen::Vector2d pixel;            ///< in that view
     std::vector<std::string> layers;  ///< layers shown while aiming; those the case lacks are ignored
+
+    friend bool operator==(const Aim&, const Aim&) = default;
 };
 struct AimedPair {
     Aim a;
     Aim b;
+
+    friend bool operator==(const AimedPair&, const AimedPair&) = default;
 };
 
 /// A length of one object: what the tape says and what was picked, by layer or method name.
@@ -39,8 +50,10 @@ struct Measurement {
     std::string object;
     std::optional<double> tape_m;
     std::optional<double> tapeResolution_m;                ///< nothing: 0.01
-    std::map<std::string, std::vector<PickedPair>> picks;  ///< key: layer id as in the case file
+    std::map<std::string, std::vector<PickedPair>> picks;  ///< key: layer id, or a method
     std::map<std::string, std::vector<AimedPair>> aims;    ///< key: method
+
+    friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
 }  // namespace vestige

@@ -22,6 +22,8 @@ struct Site {
     double latitude_deg = 0;
     double longitude_deg = 0;
     double height_m = 0;
+
+    friend bool operator==(const Site&, const Site&) = default;
 };
 
 /// The document's plain data. Only a SceneEdit changes it, on the main thread.
@@ -35,12 +37,15 @@ struct SceneState {
     ParameterSet registration;
     std::vector<Measurement> measurements;
     std::map<std::string, ViewCamera> views;  ///< named views of the case
-    std::filesystem::path file;               ///< where it was opened from or saved to; empty when new
+    std::map<std::string, std::string>
+        viewFrames;  ///< view -> layer whose file frame and unit its camera is in; see PickFrame.h
+    std::filesystem::path file;  ///< where it was opened from or saved to; empty when new
 
     SceneState();
     const Layer* layer(std::string_view id) const;
     Layer* layer(std::string_view id);
     const Measurement* measurement(std::string_view object) const;
+    Measurement* measurement(std::string_view object);
     /// `path` of a layer or picks file, made absolute against the case's folder.
     std::filesystem::path resolve(const std::filesystem::path& path) const;
 };
@@ -82,7 +87,11 @@ class Scene {
     bool modified() const;
     void markSaved(std::filesystem::path file);
 
-    /// Called after every change (perform, undo, redo, markSaved).
+    /// Puts what was read for a layer into the document. Loading changes nothing of the case, so it is not in
+    /// the history; layers that are gone are ignored.
+    void attachData(std::string_view layer, std::shared_ptr<const LayerData> data);
+
+    /// Called after every change (perform, undo, redo, markSaved, attachData).
     void onChange(std::function<void()> handler) { changed_ = std::move(handler); }
 
   private:

@@ -63,7 +63,10 @@ QString numberText(const ColorScale& scale, double value) {
     const double factor = scale.displayFactor;
     const int decimals =
         scale.warm ? (scale.high * factor >= 5 ? 0 : 1) : decimalsFor((scale.high - scale.low) * factor);
-    return QString::fromStdString(fixedText(value * factor, decimals));
+    // A true minus sign; "-0.0" would only puzzle.
+    QString text = QString::fromStdString(fixedText(value * factor, decimals));
+    if (text.toDouble() == 0) text.remove('-');
+    return text.replace('-', QChar(0x2212));
 }
 
 void paintBar(QPainter& painter, const ViewTheme& theme, const QRectF& place, const ColorScale& scale) {

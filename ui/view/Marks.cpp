@@ -99,6 +99,14 @@ std::vector<QRectF> labelPlaces(const Segment& line, const QSizeF& size) {
     return places;
 }
 
+/// Small boxes along a line, which labels leave free.
+void addAlong(const Segment& line, std::vector<QRectF>& taken) {
+    const QPointF step = line.b - line.a;
+    const int count = static_cast<int>(std::hypot(step.x(), step.y()) / 10);
+    for (int i = 1; i < count; ++i)
+        taken.emplace_back(line.a + step * i / count - QPointF(2, 2), QSizeF(4, 4));
+}
+
 double overlapArea(const QRectF& place, const std::vector<QRectF>& taken) {
     double area = 0;
     for (const QRectF& other : taken) {
@@ -146,8 +154,9 @@ void paintLeader(QPainter& painter, const ViewTheme& theme, const QRectF& place,
 
 }  // namespace
 
-void paintMarks(QPainter& painter, const ViewTheme& theme, const QRectF& picture, const ViewCamera& camera,
-                const std::vector<PaintedMark>& marks, std::vector<QRectF> taken) {
+std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
+                               const ViewCamera& camera, const std::vector<PaintedMark>& marks,
+                               std::vector<QRectF> taken) {
     std::vector<std::pair<const PaintedMark*, Segment>> shown;
     for (const PaintedMark& mark : marks)
         if (const auto line = projected(camera, mark.mark))
@@ -159,6 +168,7 @@ void paintMarks(QPainter& painter, const ViewTheme& theme, const QRectF& picture
     });
     for (const auto& [mark, line] : shown)
         for (const QPointF& end : {line.a, line.b}) taken.emplace_back(end - QPointF(6, 6), QSizeF(12, 12));
+    for (const auto& [mark, line] : shown) addAlong(line, taken);
 
     std::vector<std::optional<QRectF>> places;
     painter.setFont(theme.font(13, true));
@@ -181,8 +191,13 @@ void paintMarks(QPainter& painter, const ViewTheme& theme, const QRectF& picture
         if (line.aShown) paintEnd(painter, theme, line.a, *mark);
         if (line.bShown) paintEnd(painter, theme, line.b, *mark);
     }
-    for (std::size_t i = shown.size(); i-- > 0;)
-        if (places[i]) paintLabel(painter, theme, *places[i], *shown[i].first);
+    std::vector<QRectF> labels;
+    for (std::size_t i = shown.size(); i-- > 0;) {
+        if (!places[i]) continue;
+        paintLabel(painter, theme, *places[i], *shown[i].first);
+        labels.push_back(*places[i]);
+    }
+    return labels;
 }
 
 }  // namespace vestige

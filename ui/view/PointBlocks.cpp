@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/Parallel.h"
+#include "ui/view/SampledRange.h"
 
 namespace vestige {
 namespace {
@@ -64,6 +65,16 @@ const std::vector<std::uint32_t>& scatteredRanks() {
     return ranks;
 }
 
+/// The median step along the Morton curve, divided by what that exceeds the distance of the nearest neighbour
+/// by on an even surface.
+double typicalSpacing(const PointCloud& cloud, std::span<const std::uint32_t> morton, double scale) {
+    SampledRange steps;
+    steps.sample(cloud.size() - 1, [&](std::size_t i) {
+        return (cloud.offsets()[morton[i + 1]] - cloud.offsets()[morton[i]]).norm();
+    });
+    return steps.empty() ? 0 : scale * steps.quantile(0.5) / 1.2;
+}
+
 }  // namespace
 
 PointBlocks makePointBlocks(const PointCloud& cloud, const Similarity& worldFromLayer,
@@ -78,6 +89,7 @@ PointBlocks makePointBlocks(const PointCloud& cloud, const Similarity& worldFrom
     made.order.resize(cloud.size());
     made.positions.resize(cloud.size());
     made.blocks.resize((cloud.size() + kBlockSize - 1) / kBlockSize);
+    made.spacing_m = typicalSpacing(cloud, morton, worldFromLayer.scale);
     const std::vector<std::uint32_t>& ranks = scatteredRanks();
     parallelChunks(cloud.size(), kBlockSize, [&](std::size_t block, std::size_t begin, std::size_t end) {
         std::size_t next = begin;

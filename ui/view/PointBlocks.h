@@ -25,6 +25,7 @@ struct PointBlocks {
     std::vector<std::uint32_t> order;        ///< index into the cloud
     std::vector<Eigen::Vector3f> positions;  ///< in that order, display frame, metres
     std::vector<PointBlock> blocks;
+    double spacing_m = 0;  ///< typical distance of neighbours
 };
 
 /// `morton` is an octree's order() or empty (it is then computed). The display frame's origin is

@@ -1,5 +1,6 @@
 #include "ui/view/PointProp.h"
 
+#include <vtkMath.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
@@ -20,17 +21,25 @@ constexpr const char* kVertexShader = R"(//VTK::System::Dec
 in vec3 place;
 in vec4 paint;
 out vec4 color;
+flat out float size;
 uniform mat4 clipFromDisplay;
+uniform float pointSize;
+uniform float spacing;    // pixels between neighbours, times depth in perspective
 void main() {
     color = paint;
     gl_Position = clipFromDisplay * vec4(place, 1.0);
+    size = clamp(spacing / gl_Position.w, pointSize, 2.5 * pointSize);
+    gl_PointSize = size;
 }
 )";
 
 constexpr const char* kFragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec4 color;
+flat in float size;
 void main() {
+    vec2 aside = gl_PointCoord - vec2(0.5);
+    if (size >= 3.0 && dot(aside, aside) > 0.25) discard;   // round, once that shows
     gl_FragData[0] = color;
 }
 )";
@@ -41,7 +50,9 @@ PointProp* PointProp::New() {
     VTK_STANDARD_NEW_BODY(PointProp);
 }
 
-void PointProp::setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks) {
+void PointProp::setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks,
+                             double spacing_m) {
+    spacing_m_ = spacing_m;
     positions_ = std::move(positions);
     blocks_ = std::move(blocks);
     seen_.assign(blocks_.size(), true);
@@ -106,7 +117,14 @@ int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
         ->GetKeyMatrices(renderer, viewFromDisplay, normals, clipFromView, clipFromDisplay);
     program->SetUniformMatrix("clipFromDisplay", clipFromDisplay);
-    window->GetState()->vtkglPointSize(static_cast<float>(pointSize_));
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const double halfHeight = camera->GetParallelProjection()
+                                  ? camera->GetParallelScale()
+                                  : std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+    program->SetUniformf("pointSize", static_cast<float>(pointSize_));
+    program->SetUniformf("spacing",
+                         static_cast<float>(spacing_m_ * 0.5 * renderer->GetSize()[1] / halfHeight));
+    glEnable(GL_PROGRAM_POINT_SIZE);
 
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         if (!seen_[i]) continue;
@@ -114,6 +132,7 @@ int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
         const auto last = static_cast<GLint>(std::ceil(to_ * blocks_[i].size()));
         if (first < last) glDrawArrays(GL_POINTS, static_cast<GLint>(blocks_[i].begin) + first, last - first);
     }
+    glDisable(GL_PROGRAM_POINT_SIZE);
     arrays_->Release();
     return 1;
 }

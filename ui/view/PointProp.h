@@ -25,9 +25,12 @@ class PointProp : public vtkProp {
     using Superclass = vtkProp;
 
     /// Uploaded with the next frame and then dropped here.
-    void setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks);
+    void setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks,
+                      double spacing_m);
     /// In the order of the positions.
     void setColors(std::vector<Rgba> colors);
+    /// Points are drawn this large, and up to 2.5 times as large where they stand so far apart that a surface
+    /// would be full of holes.
     void setPointSize(double pixels) { pointSize_ = pixels; }
 
     const std::vector<PointBlock>& blocks() const { return blocks_; }
@@ -54,6 +57,7 @@ class PointProp : public vtkProp {
     double from_ = 0;
     double to_ = 1;
     double pointSize_ = 2;
+    double spacing_m_ = 0;
     double bounds_[6] = {-1, 1, -1, 1, -1, 1};
     vtkNew<vtkOpenGLBufferObject> positionBuffer_;
     vtkNew<vtkOpenGLBufferObject> colorBuffer_;

@@ -8,6 +8,8 @@
 namespace vestige {
 namespace {
 
+constexpr double kPadding = 10;
+
 QString lengthText(double metres) {
     if (metres >= 1000) return QStringLiteral("%1 km").arg(metres / 1000, 0, 'g', 4);
     if (metres >= 1) return QStringLiteral("%1 m").arg(metres, 0, 'g', 4);
@@ -31,36 +33,33 @@ QRectF paintScaleBar(QPainter& painter, const ViewTheme& theme, const QRectF& in
     if (!(metresPerPixel > 0) || !std::isfinite(metresPerPixel)) return {};
     const double length = scaleBarLength(std::min(190.0, 0.3 * inside.width()) * metresPerPixel);
     const double width = length / metresPerPixel;
-    const QPointF left(inside.left() + 2, inside.bottom() - 4);
-    const QPointF right(left.x() + width, left.y());
-    const QPointF rise(0, -6);
-    const QPolygonF bar(QVector<QPointF>{left + rise, left, right, right + rise});
-    painter.setPen(QPen(theme.casing, 4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.drawPolyline(bar);
-    painter.setPen(QPen(theme.text, 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.drawPolyline(bar);
-
+    painter.setFont(theme.font(11));
+    const QString where = camera.parallel ? QString() : QStringLiteral("at the view's centre");
+    const double whereWidth = camera.parallel ? 0 : painter.fontMetrics().horizontalAdvance(where) + 8;
     painter.setFont(theme.font(12, true));
     const QString text = lengthText(length);
-    const QRectF textPlace(left.x() + 1, left.y() - 25, painter.fontMetrics().horizontalAdvance(text) + 2,
-                           16);
-    const auto write = [&](const QRectF& place, const QColor& color, const QString& words) {
-        painter.setPen(theme.casing);
-        painter.drawText(place.translated(1, 1), Qt::AlignLeft | Qt::AlignVCenter, words);
-        painter.setPen(color);
-        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, words);
-    };
-    write(textPlace, theme.text, text);
-    double reach = width;
-    if (!camera.parallel) {
-        painter.setFont(theme.font(11));
-        const QString where = QStringLiteral("at the view's centre");
-        const QRectF wherePlace(textPlace.right() + 6, textPlace.top(),
-                                painter.fontMetrics().horizontalAdvance(where) + 2, 16);
-        write(wherePlace, theme.quietText.lighter(125), where);
-        reach = std::max(reach, wherePlace.right() - left.x());
-    }
-    return {left.x(), left.y() - 26, reach, 30};
+    const double textWidth = painter.fontMetrics().horizontalAdvance(text);
+    const double content = std::max(width, textWidth + whereWidth);
+    const QRectF panel(inside.left(), inside.bottom() - 40, content + 2 * kPadding, 40);
+    painter.setPen(QPen(theme.panelEdge, 1));
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(panel.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    painter.setBrush(Qt::NoBrush);
+
+    const QRectF textPlace(panel.left() + kPadding, panel.top() + 6, textWidth + 2, 16);
+    painter.setPen(theme.text);
+    painter.drawText(textPlace, Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.setFont(theme.font(11));
+    painter.setPen(theme.quietText);
+    painter.drawText(QRectF(textPlace.right() + 6, textPlace.top(), whereWidth, 16),
+                     Qt::AlignLeft | Qt::AlignVCenter, where);
+
+    const QPointF left(panel.left() + kPadding, panel.bottom() - 8.5);
+    const QPointF right(left.x() + width, left.y());
+    const QPointF rise(0, -6);
+    painter.setPen(QPen(theme.text, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawPolyline(QPolygonF(QVector<QPointF>{left + rise, left, right, right + rise}));
+    return panel;
 }
 
 }  // namespace vestige

@@ -92,7 +92,8 @@ struct SceneDrawing::Private {
             PointBlocks blocks = makePointBlocks(cloud, layer.worldFromLayer, origin,
                                                  usable ? octree->order() : std::span<const std::uint32_t>{});
             drawn.points = vtkSmartPointer<PointProp>::New();
-            drawn.points->setPositions(std::move(blocks.positions), std::move(blocks.blocks));
+            drawn.points->setPositions(std::move(blocks.positions), std::move(blocks.blocks),
+                                       blocks.spacing_m);
             drawn.order = std::move(blocks.order);
         }
         renderer->AddViewProp(drawn.prop());

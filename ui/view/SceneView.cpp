@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "core/pipeline/FrameView.h"
 #include "ui/view/FrameBudget.h"
 #include "ui/view/Overlay.h"
 #include "ui/view/SceneDrawing.h"
@@ -130,7 +131,8 @@ SceneView::SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent)
     QWidget* widget = d_->surface->widget();
     d_->overlay = new OverlayWidget(widget, [this](QPainter& painter) { d_->paintOver(painter); });
     d_->mouse = std::make_unique<ViewMouse>([this](const QPoint& position) -> std::optional<Eigen::Vector3d> {
-        const auto pick = d_->pick(position, kPivotRadius_px);
+        auto pick = d_->pick(position, PickOptions{}.radius_px);
+        if (!pick) pick = d_->pick(position, kPivotRadius_px);
         return pick ? std::optional(pick->world) : std::nullopt;
     });
     widget->setMouseTracking(true);
@@ -194,7 +196,7 @@ void SceneView::setCamera(const ViewCamera& camera) {
 
 void SceneView::showNamedView(NamedView view) {
     d_->fitCamera();
-    setCamera(fitCamera(bounds(d_->description), view, d_->camera.width_px, d_->camera.height_px));
+    setCamera(frameView(d_->description, view, d_->camera.width_px, d_->camera.height_px));
 }
 
 void SceneView::setTool(ViewTool* tool) {

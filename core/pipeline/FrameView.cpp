@@ -1,0 +1,95 @@
+#include "core/pipeline/FrameView.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kSample = 20000;
+constexpr double kStray = 0.002;
+constexpr double kFilled = 0.92;
+constexpr int kSteps = 20;
+
+std::vector<Eigen::Vector3d> samplePoints(const ViewDescription& view) {
+    std::vector<Eigen::Vector3d> sample;
+    for (const ViewLayer& layer : view.layers) {
+        if (!layer.visible || !layer.geometry) continue;
+        const PointCloud& cloud = layer.geometry->vertices;
+        const std::size_t stride = std::max<std::size_t>(1, cloud.size() / kSample);
+        for (std::size_t i = 0; i < cloud.size(); i += stride)
+            sample.push_back(layer.worldFromLayer * cloud.point(i));
+    }
+    return sample;
+}
+
+struct Extent {
+    double low;
+    double high;
+};
+
+/// Of all but the stray values; not for none.
+Extent extentOf(std::vector<double>& values) {
+    const auto drop = static_cast<std::ptrdiff_t>(kStray * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), values.begin() + drop, values.end());
+    const double low = values[drop];
+    std::nth_element(values.begin(), values.end() - 1 - drop, values.end());
+    return {low, *(values.end() - 1 - drop)};
+}
+
+/// The box of all but the stray points on each axis.
+BoundingBox boxOf(const std::vector<Eigen::Vector3d>& sample) {
+    BoundingBox box;
+    if (sample.empty()) return box;
+    std::vector<double> values(sample.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        std::transform(sample.begin(), sample.end(), values.begin(),
+                       [axis](const Eigen::Vector3d& point) { return point[axis]; });
+        const Extent extent = extentOf(values);
+        box.min[axis] = extent.low;
+        box.max[axis] = extent.high;
+    }
+    return box;
+}
+
+}  // namespace
+
+ViewCamera frameView(const ViewDescription& view, NamedView direction, int width_px, int height_px) {
+    const std::vector<Eigen::Vector3d> sample = samplePoints(view);
+    ViewCamera camera = fitCamera(boxOf(sample), direction, width_px, height_px);
+    const Eigen::Vector3d forward = camera.direction();
+    const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
+    const Eigen::Vector3d up = right.cross(forward);
+    for (int step = 0; step < kSteps; ++step) {
+        std::vector<double> across;
+        std::vector<double> down;
+        for (const Eigen::Vector3d& point : sample) {
+            const auto seen = camera.project(point);
+            if (!seen) continue;
+            across.push_back(seen->pixel.x());
+            down.push_back(seen->pixel.y());
+        }
+        if (across.empty()) return camera;
+        const Extent x = extentOf(across);
+        const Extent y = extentOf(down);
+        const double filled = std::max((x.high - x.low) / width_px, (y.high - y.low) / height_px);
+        if (filled < 1e-6) return camera;
+        const double distance = (camera.focalPoint - camera.position).norm();
+        const double metres = camera.metresPerPixel(distance);
+        const Eigen::Vector3d shift =
+            metres * (0.5 * (x.low + x.high - width_px) * right - 0.5 * (y.low + y.high - height_px) * up);
+        // In small steps, so that no point passes behind the camera before its growth is seen.
+        const double factor = std::clamp(filled / kFilled, 0.6, 1.6);
+        camera.focalPoint += shift;
+        camera.position += shift;
+        if (camera.parallel)
+            camera.halfHeight_m *= factor;
+        else
+            camera.position = camera.focalPoint - factor * distance * forward;
+    }
+    return camera;
+}
+
+}  // namespace vestige

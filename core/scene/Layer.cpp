@@ -1,0 +1,44 @@
+#include "core/scene/Layer.h"
+
+namespace vestige {
+
+std::string_view name(LayerRole role) {
+    switch (role) {
+        case LayerRole::aerial:
+            return "aerial";
+        case LayerRole::handheld:
+            return "handheld";
+        case LayerRole::photogrammetry:
+            return "photogrammetry";
+    }
+    return "";
+}
+
+std::optional<LayerRole> layerRoleFromName(std::string_view text) {
+    for (const auto role : {LayerRole::aerial, LayerRole::handheld, LayerRole::photogrammetry})
+        if (name(role) == text) return role;
+    return std::nullopt;
+}
+
+std::string_view defaultMethod(LayerRole role) {
+    return role == LayerRole::photogrammetry ? "photogrammetry" : "lidar";
+}
+
+std::array<std::uint8_t, 3> defaultTint(std::size_t place) {
+    // Okabe and Ito (2008), without black, the target's sky blue first.
+    static constexpr std::array<std::array<std::uint8_t, 3>, 7> kPalette{{{86, 180, 233},
+                                                                          {230, 159, 0},
+                                                                          {0, 158, 115},
+                                                                          {204, 121, 167},
+                                                                          {240, 228, 66},
+                                                                          {0, 114, 178},
+                                                                          {213, 94, 0}}};
+    return kPalette[place % kPalette.size()];
+}
+
+Similarity sceneFromLayer(const Layer& layer) {
+    if (layer.registration) return layer.registration->targetFromSource;
+    return {Pose::Identity(), layer.metresPerUnit()};
+}
+
+}  // namespace vestige

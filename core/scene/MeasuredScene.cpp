@@ -1,0 +1,195 @@
+#include "core/scene/MeasuredScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/scene/PickFrame.h"
+
+namespace vestige {
+namespace {
+
+double square(double x) {
+    return x * x;
+}
+
+std::vector<std::string> methodsOf(const SceneState& scene) {
+    std::vector<std::string> methods;
+    for (const Layer& layer : scene.layers)
+        if (std::find(methods.begin(), methods.end(), layer.method) == methods.end())
+            methods.push_back(layer.method);
+    return methods;
+}
+
+/// The method that picks under `key` count for: of the layer of that id, else the method of that name, else
+/// of the layer of the first end. Empty when the scene has none of them.
+std::string methodOf(const SceneState& scene, const std::string& key, const PickedPair& pair) {
+    if (const Layer* layer = scene.layer(key)) return layer->method;
+    for (const Layer& layer : scene.layers)
+        if (layer.method == key) return key;
+    const Layer* layer = scene.layer(pair.a.layer);
+    return layer ? layer->method : std::string();
+}
+
+/// Keys of the picks in the order of the layers, others behind them.
+std::vector<std::string> orderedKeys(const SceneState& scene, const Measurement& measurement) {
+    std::vector<std::string> keys;
+    for (const Layer& layer : scene.layers)
+        if (measurement.picks.contains(layer.id)) keys.push_back(layer.id);
+    for (const auto& [key, pairs] : measurement.picks)
+        if (!scene.layer(key)) keys.push_back(key);
+    return keys;
+}
+
+/// The local spacing where the pick has none of its own: that of the nearest point of the loaded layer.
+double localSpacing_m(const SceneState& scene, const PickedPoint& point) {
+    if (point.localSpacing_m) return *point.localSpacing_m;
+    const Layer& layer = *scene.layer(point.layer);
+    if (!layer.data || !layer.data->octree || layer.data->octree->cloud().empty()) return 0;
+    const Octree& octree = *layer.data->octree;
+    const Similarity sceneFromHere = sceneFromLayer(layer);
+    const Eigen::Vector3d inLayer = sceneFromHere.inverse() * scenePosition(scene, point);
+    std::vector<Octree::Neighbour> found;
+    octree.nearest((inLayer - octree.cloud().origin()).cast<float>(), 1, found);
+    return found.empty() ? 0 : sceneFromHere.scale * octree.localSpacing(found.front().point);
+}
+
+/// Squared share of a layer's pose in a length to a point of another layer. The RMSE of the registration
+/// stands for it: it holds the sensors' noise too, so it rather overstates the pose's part.
+double squaredPoseShare(const Layer& layer) {
+    if (!layer.registration || !std::isfinite(layer.registration->rmse_m)) return 0;
+    return square(layer.registration->rmse_m);
+}
+
+/// What the pairs of one object and method add up to.
+struct Repeats {
+    std::vector<double> lengths_m;
+    std::vector<std::string> layers;
+    std::vector<std::string> absentLayers;
+    std::size_t withoutCommonFrame = 0;
+    // Sums over the repeats; their means go into the statistic.
+    double noiseA = 0, noiseB = 0, spacingA = 0, spacingB = 0, pose = 0;
+
+    void add(const SceneState& scene, const PickedPair& pair) {
+        bool complete = true;
+        for (const PickedPoint* end : {&pair.a, &pair.b}) {
+            const bool present = scene.layer(end->layer) != nullptr;
+            remember(present ? layers : absentLayers, end->layer);
+            complete = complete && present;
+        }
+        if (!complete) return;
+        const Layer& layerA = *scene.layer(pair.a.layer);
+        const Layer& layerB = *scene.layer(pair.b.layer);
+        // Ends on one layer need no common frame, but both must be given in the same one.
+        const bool sameLayer = layerA.id == layerB.id;
+        const bool comparable = (inTargetFrame(scene, pair.a) && inTargetFrame(scene, pair.b)) ||
+                                (sameLayer && inTargetFrame(scene, pair.a) == inTargetFrame(scene, pair.b));
+        if (!comparable) {
+            ++withoutCommonFrame;
+            return;
+        }
+        lengths_m.push_back(EndPair{scenePosition(scene, pair.a), scenePosition(scene, pair.b)}.length_m());
+        noiseA += square(sensorNoise_m(layerA.role));
+        noiseB += square(sensorNoise_m(layerB.role));
+        spacingA += square(localSpacing_m(scene, pair.a));
+        spacingB += square(localSpacing_m(scene, pair.b));
+        if (!sameLayer) pose += squaredPoseShare(layerA) + squaredPoseShare(layerB);
+    }
+
+    std::optional<LengthStatistic> statistic() const {
+        if (lengths_m.empty()) return std::nullopt;
+        const auto rms = [n = static_cast<double>(lengths_m.size())](double sum) {
+            return std::sqrt(sum / n);
+        };
+        return lengthStatistic(lengths_m, {rms(noiseA), rms(spacingA)}, {rms(noiseB), rms(spacingB)},
+                               rms(pose));
+    }
+
+    static void remember(std::vector<std::string>& names, const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+};
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+    return text;
+}
+
+std::string noteOf(const Repeats& repeats) {
+    std::string note;
+    const auto add = [&](const std::string& sentence) { note += (note.empty() ? "" : "; ") + sentence; };
+    if (repeats.lengths_m.empty()) add("not measured with this method");
+    if (!repeats.absentLayers.empty())
+        add("picked on " + listed(repeats.absentLayers) + ", which this case does not have");
+    if (repeats.withoutCommonFrame > 0)
+        add(std::to_string(repeats.withoutCommonFrame) +
+            " repeats left out: their ends lie on layers that are not registered to each other");
+    if (repeats.lengths_m.size() == 1) add("one repeat only, so no uncertainty");
+    return note;
+}
+
+MeasuredLength measured(const SceneState& scene, const Measurement& measurement, const std::string& method) {
+    constexpr double kTapeResolution_m = 0.01;
+    Repeats repeats;
+    for (const auto& key : orderedKeys(scene, measurement)) {
+        for (const auto& pair : measurement.picks.at(key)) {
+            const std::string countsFor = methodOf(scene, key, pair);
+            // Nothing in this case tells the method of picks on layers it lacks: every row without a length
+            // says so.
+            if (countsFor == method || countsFor.empty()) repeats.add(scene, pair);
+        }
+    }
+    MeasuredLength row;
+    row.object = measurement.object;
+    row.method = method;
+    row.tape_m = measurement.tape_m;
+    row.tapeUncertainty_m = tapeUncertainty(measurement.tapeResolution_m.value_or(kTapeResolution_m));
+    row.length = repeats.statistic();
+    if (row.length && row.tape_m) row.re = relativeError(row.length->mean_m, *row.tape_m);
+    row.layers = repeats.layers;
+    row.note = noteOf(repeats);
+    return row;
+}
+
+/// The accuracy of one method from its rows, and its exclusions back into them.
+MethodAccuracy accuracyOf(const std::string& method, std::vector<MeasuredLength>& lengths) {
+    std::vector<AccuracyObject> objects;
+    std::vector<MeasuredLength*> rows;
+    for (MeasuredLength& row : lengths) {
+        if (row.method != method || !row.tape_m) continue;
+        std::optional<double> mean;
+        if (row.length) mean = row.length->mean_m;
+        objects.push_back({row.object, *row.tape_m, mean, {}, false});
+        rows.push_back(&row);
+    }
+    MethodAccuracy accuracy = methodAccuracy(method, objects);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i]->excluded = accuracy.objects[i].excluded;
+    return accuracy;
+}
+
+}  // namespace
+
+MeasuredScene measureScene(const SceneState& scene) {
+    MeasuredScene result;
+    const std::vector<std::string> methods = methodsOf(scene);
+    for (const Measurement& measurement : scene.measurements)
+        for (const std::string& method : methods)
+            result.lengths.push_back(measured(scene, measurement, method));
+    for (const std::string& method : methods) result.accuracy.push_back(accuracyOf(method, result.lengths));
+    return result;
+}
+
+double sensorNoise_m(LayerRole role) {
+    switch (role) {
+        case LayerRole::aerial:
+            return 0.03;
+        case LayerRole::handheld:
+            return 0.0001;
+        case LayerRole::photogrammetry:
+            return 0.05;
+    }
+    return 0;
+}
+
+}  // namespace vestige

@@ -1,0 +1,103 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/scene/casefile/CaseJson.h"
+
+namespace vestige {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json initJson(const InitialPoseSpec& init, const PathText& pathText) {
+    if (const auto* picks = std::get_if<InitPicks>(&init)) return {{"picks", pathText(picks->picks)}};
+    if (const auto* given = std::get_if<InitPose>(&init))
+        return {{"pose", poseJson(given->targetFromSource.pose)}, {"scale", given->targetFromSource.scale}};
+    return std::holds_alternative<InitAuto>(init) ? Json("auto") : Json("identity");
+}
+
+std::filesystem::path readPath(const JsonCursor& cursor, const std::filesystem::path& folder) {
+    const std::filesystem::path path = cursor.name();
+    if (path.native().find('\0') != std::string::npos) cursor.reject("the path holds a zero byte");
+    return (path.is_absolute() ? path : folder / path).lexically_normal();
+}
+
+InitialPoseSpec readInit(const JsonCursor& init, const Layer& layer, const std::filesystem::path& folder) {
+    const char* forms = R"(expected {"picks": CSV}, {"pose": [16], "scale": 0.001}, "auto" or "identity")";
+    if (init.isText()) {
+        if (init.text() == "auto") return InitAuto{};
+        if (init.text() == "identity") return InitIdentity{};
+        init.reject("'" + init.text() + "' is no first pose", forms);
+    }
+    if (!init.isObject()) init.reject("this is no first pose", forms);
+    init.warnOfOthers({"picks", "pose", "scale"});
+    if (const auto picks = init.find("picks")) {
+        if (init.find("pose")) init.reject("there are both picks and a pose here", forms);
+        return InitPicks{readPath(*picks, folder)};
+    }
+    const auto pose = init.find("pose");
+    if (!pose) init.reject("there are neither picks nor a pose here", forms);
+    const auto scale = init.find("scale");
+    return InitPose{{readPose(*pose), scale ? scale->realAbove0() : layer.metresPerUnit()}};
+}
+
+std::optional<LengthUnit> readUnit(const JsonCursor& cursor) {
+    const std::string text = cursor.text();
+    if (text == "auto") return std::nullopt;
+    const auto unit = lengthUnitFromSymbol(text);
+    if (!unit) cursor.reject("'" + text + "' is no unit of length", "expected m, mm or auto");
+    return unit;
+}
+
+LayerRole readRole(const JsonCursor& cursor) {
+    const std::string text = cursor.text();
+    const auto role = layerRoleFromName(text);
+    if (!role) cursor.reject("'" + text + "' is no role", "expected aerial, handheld or photogrammetry");
+    return *role;
+}
+
+}  // namespace
+
+Json layerJson(const Layer& layer, const PathText& pathText) {
+    Json json{{"id", layer.id},
+              {"name", layer.name},
+              {"role", name(layer.role)},
+              {"method", layer.method},
+              {"path", pathText(layer.path)}};
+    if (layer.unit) json["unit"] = symbol(*layer.unit);
+    if (!std::holds_alternative<InitIdentity>(layer.init)) json["init"] = initJson(layer.init, pathText);
+    json["visible"] = layer.visible;
+    json["tint"] = layer.tint;
+    if (layer.registration) json["registration"] = resultJson(*layer.registration);
+    return json;
+}
+
+Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
+    cursor.warnOfOthers(
+        {"id", "name", "role", "method", "path", "unit", "init", "visible", "tint", "registration"});
+    Layer layer;
+    layer.id = cursor.at("id").name();
+    layer.role = readRole(cursor.at("role"));
+    layer.path = readPath(cursor.at("path"), folder);
+    const auto shownName = cursor.find("name");
+    layer.name = shownName ? shownName->text() : layer.id;
+    const auto method = cursor.find("method");
+    layer.method = method ? method->name() : std::string(defaultMethod(layer.role));
+    if (const auto unit = cursor.find("unit")) layer.unit = readUnit(*unit);
+    if (const auto init = cursor.find("init")) layer.init = readInit(*init, layer, folder);
+    if (const auto visible = cursor.find("visible")) layer.visible = visible->boolean();
+    layer.tint = defaultTint(place);
+    if (const auto tint = cursor.find("tint")) {
+        const auto channels = tint->elements(3, "a colour [red, green, blue]");
+        for (std::size_t i = 0; i < 3; ++i)
+            layer.tint[i] = static_cast<std::uint8_t>(channels[i].integer(0, 255));
+    }
+    if (const auto result = cursor.find("registration")) layer.registration = readResult(*result);
+    return layer;
+}
+
+bool sameText(const Layer& a, const Layer& b) {
+    const PathText asTheyAre = [](const std::filesystem::path& path) { return path.generic_string(); };
+    return layerJson(a, asTheyAre) == layerJson(b, asTheyAre);
+}
+
+}  // namespace vestige

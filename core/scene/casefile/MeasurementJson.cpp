@@ -1,0 +1,124 @@
+#include <nlohmann/json.hpp>
+
+#include "core/scene/casefile/CaseJson.h"
+
+namespace vestige {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vectorJson(const Eigen::VectorXd& vector) {
+    return std::vector<double>(vector.begin(), vector.end());
+}
+
+Json endJson(const PickedPoint& point) {
+    Json end{point.layer, vectorJson(point.position)};
+    Json more = Json::object();
+    if (point.localSpacing_m) more["spacing_m"] = *point.localSpacing_m;
+    if (point.inLayerFrame) more["frame"] = "layer";
+    if (!more.empty()) end.push_back(std::move(more));
+    return end;
+}
+
+Json pairJson(const std::string& key, const PickedPair& pair) {
+    const auto isPlain = [&](const PickedPoint& point) {
+        return point.layer == key && !point.localSpacing_m && !point.inLayerFrame;
+    };
+    if (isPlain(pair.a) && isPlain(pair.b))
+        return Json::array({vectorJson(pair.a.position), vectorJson(pair.b.position)});
+    return {{"a", endJson(pair.a)}, {"b", endJson(pair.b)}};
+}
+
+Json aimJson(const Aim& aim) {
+    return {{"view", aim.view}, {"pixel", vectorJson(aim.pixel)}, {"layers", aim.layers}};
+}
+
+constexpr const char* kPairForms =
+    R"(expected [[x,y,z],[x,y,z]] or {"a": [layer, [x,y,z]], "b": [layer, [x,y,z]]})";
+
+PickedPoint readEnd(const JsonCursor& cursor) {
+    if (!cursor.isArray()) cursor.reject("this is no end of a pair", kPairForms);
+    const auto parts = cursor.elements();
+    if (parts.size() < 2 || parts.size() > 3) cursor.reject("this is no end of a pair", kPairForms);
+    PickedPoint point{parts[0].name(), parts[1].vector3(), {}, false};
+    if (parts.size() == 3) {
+        parts[2].warnOfOthers({"spacing_m", "frame"});
+        if (const auto spacing = parts[2].find("spacing_m")) {
+            point.localSpacing_m = spacing->real();
+            if (*point.localSpacing_m < 0) spacing->reject("a spacing is not below 0");
+        }
+        if (const auto frame = parts[2].find("frame")) {
+            if (frame->text() != "layer")
+                frame->reject("'" + frame->text() + "' is no frame", "expected layer");
+            point.inLayerFrame = true;
+        }
+    }
+    return point;
+}
+
+PickedPair readPair(const JsonCursor& cursor, const std::string& key) {
+    if (cursor.isObject()) {
+        cursor.warnOfOthers({"a", "b"});
+        return {readEnd(cursor.at("a")), readEnd(cursor.at("b"))};
+    }
+    const auto ends = cursor.elements(2, std::string_view(kPairForms).substr(9));
+    return {{key, ends[0].vector3(), {}, false}, {key, ends[1].vector3(), {}, false}};
+}
+
+Aim readAim(const JsonCursor& cursor) {
+    cursor.warnOfOthers({"view", "pixel", "layers"});
+    const auto pixel = cursor.at("pixel").elements(2, "a pixel [x, y]");
+    Aim aim{cursor.at("view").name(), {pixel[0].real(), pixel[1].real()}, {}};
+    for (const auto& layer : cursor.at("layers").elements()) aim.layers.push_back(layer.name());
+    return aim;
+}
+
+}  // namespace
+
+Json measurementJson(const Measurement& measurement) {
+    Json json{{"object", measurement.object}};
+    if (measurement.tape_m) json["tape_m"] = *measurement.tape_m;
+    if (measurement.tapeResolution_m) json["tape_resolution_m"] = *measurement.tapeResolution_m;
+    Json picks = Json::object();
+    for (const auto& [key, pairs] : measurement.picks) {
+        picks[key] = Json::array();
+        for (const auto& pair : pairs) picks[key].push_back(pairJson(key, pair));
+    }
+    json["picks"] = std::move(picks);
+    if (measurement.aims.empty()) return json;
+    Json aims = Json::object();
+    for (const auto& [method, pairs] : measurement.aims) {
+        aims[method] = Json::array();
+        for (const auto& pair : pairs)
+            aims[method].push_back(Json::array({aimJson(pair.a), aimJson(pair.b)}));
+    }
+    json["aims"] = std::move(aims);
+    return json;
+}
+
+Measurement readMeasurement(const JsonCursor& cursor) {
+    cursor.warnOfOthers({"object", "tape_m", "tape_resolution_m", "picks", "aims"});
+    Measurement measurement;
+    measurement.object = cursor.at("object").name();
+    if (const auto tape = cursor.find("tape_m")) measurement.tape_m = tape->realAbove0();
+    if (const auto digit = cursor.find("tape_resolution_m"))
+        measurement.tapeResolution_m = digit->realAbove0();
+    if (const auto picks = cursor.find("picks")) {
+        for (const auto& [key, pairs] : picks->members()) {
+            auto& held = measurement.picks[key];
+            for (const auto& pair : pairs.elements()) held.push_back(readPair(pair, key));
+        }
+    }
+    if (const auto aims = cursor.find("aims")) {
+        for (const auto& [method, pairs] : aims->members()) {
+            auto& held = measurement.aims[method];
+            for (const auto& pair : pairs.elements()) {
+                const auto ends = pair.elements(2, "two aims [{view, pixel, layers}, {...}]");
+                held.push_back({readAim(ends[0]), readAim(ends[1])});
+            }
+        }
+    }
+    return measurement;
+}
+
+}  // namespace vestige

@@ -1,0 +1,68 @@
+#include "core/pipeline/FrameView.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/geometry/PointCloudBuilder.h"
+
+using namespace vestige;
+
+namespace {
+
+/// A site of 60 x 40 m at UTM coordinates with a few stray points far off.
+ViewDescription site(bool strays) {
+    PointCloudBuilder builder;
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) builder.add({483000 + 0.6 * x, 4375000 + 0.4 * y, 35 + 0.01 * x});
+    if (strays)
+        for (int i = 0; i < 8; ++i) builder.add({483000 + 400.0 * i, 4375900, 135});
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->vertices = std::move(builder).build();
+    ViewDescription view;
+    view.layers.push_back({"site", "site", mesh, {}, {160, 180, 200}, nullptr, true, false});
+    return view;
+}
+
+constexpr NamedView kViews[] = {NamedView::perspective, NamedView::top, NamedView::front, NamedView::left,
+                                NamedView::iso};
+
+}  // namespace
+
+TEST(FrameView, FillsThePictureAndIgnoresStrayPoints) {
+    const ViewDescription clean = site(false);
+    for (const bool strays : {false, true}) {
+        for (const NamedView named : kViews) {
+            const ViewCamera camera = frameView(site(strays), named, 1400, 900);
+            double widest = 0;
+            int outside = 0;
+            const PointCloud& cloud = clean.layers[0].geometry->vertices;
+            for (std::size_t i = 0; i < cloud.size(); ++i) {
+                const auto seen = camera.project(cloud.point(i));
+                ASSERT_TRUE(seen);
+                const double across = std::abs(seen->pixel.x() - 700) / 700;
+                const double down = std::abs(seen->pixel.y() - 450) / 450;
+                outside += across > 1 || down > 1;
+                if (across <= 1 && down <= 1) widest = std::max({widest, across, down});
+            }
+            EXPECT_GT(widest, 0.85) << name(named);
+            EXPECT_LE(outside, 40) << name(named);
+        }
+    }
+}
+
+TEST(FrameView, KeepsTheDirectionOfTheNamedView) {
+    for (const NamedView named : kViews) {
+        const ViewDescription view = site(true);
+        const ViewCamera fitted = fitCamera(bounds(view), named, 1400, 900);
+        const ViewCamera framed = frameView(view, named, 1400, 900);
+        EXPECT_LT((fitted.direction() - framed.direction()).norm(), 1e-8) << name(named);
+        EXPECT_EQ(fitted.parallel, framed.parallel);
+    }
+}
+
+TEST(FrameView, AnEmptySceneHasACamera) {
+    const ViewCamera camera = frameView({}, NamedView::iso, 200, 100);
+    EXPECT_TRUE(camera.position.allFinite());
+    EXPECT_EQ(camera.width_px, 200);
+}
