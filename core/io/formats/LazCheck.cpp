@@ -1,6 +1,7 @@
 #include "core/io/formats/LazCheck.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/io/Bytes.h"
 
@@ -20,55 +21,90 @@ std::size_t placeOf(std::span<const std::byte> file, const LasRecord& record) {
     return static_cast<std::size_t>(record.content.data() - file.data());
 }
 
-/// Sizes by item type: 0 bytes, 6 point10, 7 gps time, 8 rgb, 9 and 13 wave packet, 10 point14, 11 rgb, 12
-/// rgb and near infrared, 14 bytes; 0 where the record says it.
-bool itemIsKnown(std::uint16_t type, std::uint16_t size, std::uint16_t version) {
-    if (version > 4) return false;
-    switch (type) {
-        case 0:
-        case 14:
-            return size > 0;
-        case 6:
-            return size == 20;
-        case 7:
-            return size == 8;
-        case 8:
-        case 11:
-            return size == 6;
-        case 9:
-        case 13:
-            return size == 29;
-        case 10:
-            return size == 30;
-        case 12:
-            return size == 8;
-        default:
-            return false;
-    }
+struct Item {
+    std::uint16_t type;
+    std::uint16_t size;
+};
+
+/// The items that make up a point (LASzip's numbers): 6 point, 7 GPS time, 8 colour, 9 wave packet; since
+/// format 6 10 point, 11 colour, 12 colour and infrared, 13 wave packet; 0 and 14 extra bytes.
+std::vector<Item> expectedItems(const LasHeader& header) {
+    static const std::array<std::vector<Item>, 11> kItems{{{{6, 20}},
+                                                           {{6, 20}, {7, 8}},
+                                                           {{6, 20}, {8, 6}},
+                                                           {{6, 20}, {7, 8}, {8, 6}},
+                                                           {{6, 20}, {7, 8}, {9, 29}},
+                                                           {{6, 20}, {7, 8}, {8, 6}, {9, 29}},
+                                                           {{10, 30}},
+                                                           {{10, 30}, {11, 6}},
+                                                           {{10, 30}, {12, 8}},
+                                                           {{10, 30}, {13, 29}},
+                                                           {{10, 30}, {12, 8}, {13, 29}}}};
+    const LasPointLayout& layout = lasPointLayout(header.pointFormat);
+    std::vector<Item> items = kItems.at(static_cast<std::size_t>(header.pointFormat));
+    if (header.recordLength > layout.size)
+        items.push_back({static_cast<std::uint16_t>(layout.extended ? 14 : 0),
+                         static_cast<std::uint16_t>(header.recordLength - layout.size)});
+    return items;
+}
+
+/// The versions of LASzip's item coders: 1 and 2 point by point, 2 to 4 in layers; wave packets only in some.
+bool versionIsKnown(const Item& item, std::uint16_t version, bool layered) {
+    if (item.type == 9) return version == 1;
+    return layered ? version >= 2 && version <= 4 : version == 1 || version == 2;
 }
 
 void checkItems(std::span<const std::byte> file, const LasHeader& header, const LasRecord& record,
-                const ReadJob& job) {
-    const std::size_t place = placeOf(file, record);
+                bool layered, const ReadJob& job) {
+    const std::size_t place = placeOf(file, record) + kFixedPart;
+    const std::vector<Item> expected = expectedItems(header);
     const auto items = load<std::uint16_t>(record.content.data() + 32);
-    if (items == 0 || items > (record.content.size() - kFixedPart) / kItemSize)
-        job.refuseByte(place + 32, "LASzip's record promises " + counted(items, "item"),
-                       "as many as it has room for");
-    std::size_t total = 0;
+    if (items != expected.size() || record.content.size() < kFixedPart + kItemSize * items ||
+        layered != lasPointLayout(header.pointFormat).extended)
+        job.refuseByte(
+            place - 2, "LASzip's record has " + counted(items, "item"),
+            std::to_string(expected.size()) + " for point format " + std::to_string(header.pointFormat));
     for (std::size_t i = 0; i < items; ++i) {
         const std::byte* item = record.content.data() + kFixedPart + kItemSize * i;
-        const auto size = load<std::uint16_t>(item + 2);
-        if (!itemIsKnown(load<std::uint16_t>(item), size, load<std::uint16_t>(item + 4)))
-            job.refuseByte(place + kFixedPart + kItemSize * i, "LASzip's record has an item of unknown kind",
-                           "the items of LASzip 1 to 4");
-        total += size;
+        if (load<std::uint16_t>(item) != expected[i].type ||
+            load<std::uint16_t>(item + 2) != expected[i].size ||
+            !versionIsKnown(expected[i], load<std::uint16_t>(item + 4), layered))
+            job.refuseByte(place + kItemSize * i, "LASzip's record does not describe points of this format",
+                           "item " + std::to_string(expected[i].type) + " of " +
+                               std::to_string(expected[i].size) + " bytes");
     }
-    if (total != header.recordLength)
-        job.refuseByte(place + kFixedPart, "LASzip's items have " + counted(total, "byte"),
-                       std::to_string(header.recordLength) + " as a point has by the header");
 }
 
-void checkChunkTable(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
+/// Point formats 6 and later: chunk after chunk a whole point, the number of points, the size of each layer,
+/// the layers. They must fill the place up to the chunk table exactly.
+void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::size_t table,
+                 const ReadJob& job) {
+    constexpr std::size_t kPointLayers = 9;
+    const std::size_t extraBytes = header.recordLength - lasPointLayout(header.pointFormat).size;
+    // Colour and wave packet are one layer each, colour with infrared two, each extra byte one.
+    constexpr std::array<std::size_t, 5> kMoreLayers{0, 1, 2, 1, 3};
+    const std::size_t layers =
+        kPointLayers + kMoreLayers.at(static_cast<std::size_t>(header.pointFormat - 6)) + extraBytes;
+    const std::size_t head = header.recordLength + 4 + 4 * layers;
+    std::size_t place = header.pointOffset + 8;
+    std::uint64_t points = 0;
+    while (place < table) {
+        std::size_t size = head;
+        for (std::size_t layer = 0; layer < layers && table - place >= head; ++layer)
+            size += load<std::uint32_t>(file.data() + place + header.recordLength + 4 + 4 * layer);
+        if (table - place < size)
+            job.refuseByte(place, "a chunk of compressed points is longer than the file has room for",
+                           std::to_string(table - place) + " bytes at most");
+        points += load<std::uint32_t>(file.data() + place + header.recordLength);
+        place += size;
+    }
+    if (points != header.points)
+        job.refuseByte(header.pointOffset, "the chunks hold " + std::to_string(points) + " points",
+                       std::to_string(header.points) + " as the header says");
+}
+
+/// The place of the chunk table.
+std::size_t checkChunkTable(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
     const std::size_t begin = header.pointOffset;
     if (file.size() - begin < 8)
         job.refuseByte(begin, "the file ends before the compressed points", "8 bytes or more");
@@ -89,6 +125,7 @@ void checkChunkTable(std::span<const std::byte> file, const LasHeader& header, c
                        "version 0 and " + std::to_string(most) + " chunks at most");
     if (chunks == 0 && header.points > 0)
         job.refuseByte(place, "the chunk table has no chunks", "some for " + counted(header.points, "point"));
+    return place;
 }
 
 }  // namespace
@@ -106,8 +143,11 @@ void checkLaz(std::span<const std::byte> file, const LasHeader& header, const Re
     const auto chunkSize = load<std::uint32_t>(record->content.data() + 12);
     if (compressor != 1 && chunkSize == 0)
         job.refuseByte(place + 12, "LASzip's record names chunks of no points", "a chunk size such as 50000");
-    checkItems(file, header, *record, job);
-    if (compressor != 1) checkChunkTable(file, header, job);
+    const bool layered = compressor == 3;
+    checkItems(file, header, *record, layered, job);
+    if (compressor == 1) return;
+    const std::size_t table = checkChunkTable(file, header, job);
+    if (layered) checkLayers(file, header, table, job);
 }
 
 std::vector<std::byte> lazPrefix(std::span<const std::byte> file, const LasHeader& header) {

@@ -102,6 +102,29 @@ TEST(Malformed, TheErrorNamesTheLineOrByte) {
     expectRefused(folder / "m.xml", "<xml/>", ", byte 0");
 }
 
+TEST(Malformed, LazipsOwnRecordsAreCheckedBeforeItSeesThem) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeGeometry(folder / "whole.laz", {fullCloud(40, true), {}}));
+    const std::string whole = readBytes(folder / "whole.laz");
+    // Header 375 bytes, record header 54, then LASzip's record; two items of 6 bytes end it.
+    const std::size_t record = 375 + 54;
+    const std::size_t points = record + 34 + 12;
+    const auto patched = [&](std::size_t at, const std::string& bytes) {
+        std::string content = whole;
+        return content.replace(at, bytes.size(), bytes);
+    };
+    const auto byte = [](std::size_t at) { return ", byte " + std::to_string(at); };
+    expectRefused(folder / "compressor.laz", patched(record, "\7"), byte(record));
+    expectRefused(folder / "item.laz", patched(record + 34, "\6"), byte(record + 34));
+    expectRefused(folder / "version.laz", patched(record + 34 + 4, "\11"), byte(record + 34));
+    expectRefused(folder / "items.laz", patched(record + 32, "\5"), byte(record + 32));
+    expectRefused(folder / "table.laz", patched(points + 4, "\377\377\377\77"), byte(points));
+    const std::size_t layers = points + 8 + 36 + 4;
+    expectRefused(folder / "layer.laz", patched(layers, "\377\377\377\377"), byte(points + 8));
+    expectRefused(folder / "count.laz", patched(247, "\51"), byte(points));
+    expectRefused(folder / "record.laz", patched(375 + 2, "LASZIP"), byte(375));
+}
+
 TEST(Malformed, MissingFilesAndFoldersAreRefused) {
     const TemporaryFolder folder;
     expectReadOrRefused(folder / "missing.las");
