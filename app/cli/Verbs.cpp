@@ -6,6 +6,7 @@ const std::vector<Verb>& verbs() {
     static const std::vector<Verb> all{
         {"info", "What clouds and meshes are and hold, with their SHA-256.", declareInfo},
         {"convert", "From any readable to any writable format, by extension.", declareConvert},
+        {"simulate", "Clouds, cases and truth of a synthetic accident scene.", declareSimulate},
         {"preprocess", "A cloud without its outliers, smoothed and thinned.", declarePreprocess},
         {"register", "The pose that lays one cloud or mesh on another.", declareRegister},
         {"evaluate", "Registration of a sequence against its known poses, by method, voxel and filter.",
