@@ -6,7 +6,7 @@
 namespace vestige {
 namespace {
 
-constexpr std::size_t kLargestClipped = 256;
+constexpr std::size_t kLargestClipped = 64;
 
 using Flat = std::vector<Eigen::Vector2d>;
 

@@ -27,7 +27,7 @@ class Polygons {
 };
 
 /// Cuts ears off a simple polygon, also a concave one; polygons that are not simple, and those with more than
-/// 256 corners, become a fan.
+/// 64 corners, become a fan.
 void triangulate(std::span<const std::uint32_t> corners, const PointCloud& vertices,
                  std::vector<Triangle>& triangles);
 
