@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
@@ -15,6 +16,8 @@ class DocumentPrinter {
     /// Atomic; ErrorCode::output on failure.
     virtual Status printPdf(const Report& report, const std::filesystem::path& pdf,
                             const JobControl& control) = 0;
+    /// What sets the pages, for the report: "Qt 5.15.8".
+    virtual std::string version() const { return {}; }
 };
 
 }  // namespace vestige

@@ -31,7 +31,7 @@ struct Reconstruction {
 /// The main job: load, preprocess, register, resolve aims, measure, and write everything the contract lists
 /// into `outputFolder`. Without renderer or printer their outputs are listed in `notMade`. A layer whose
 /// registration fails ends the job with ErrorCode::untrustworthy. Cancelled or failed, nothing half-written
-/// stays.
+/// stays and what stood in the folder is untouched. Layers that hold their data already are not read again.
 Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path& outputFolder,
                                    ViewRenderer* renderer, DocumentPrinter* printer,
                                    const JobControl& control);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
@@ -8,8 +9,29 @@
 
 namespace vestige {
 
+/// True for a layer that the pipeline registers to the target: a handheld scan, and any other layer that the
+/// case gives a first pose for. A photogrammetry cloud without one is compared as it comes, in its own frame.
+bool needsRegistration(const SceneState& scene, const Layer& layer);
+
+/// What a registration starts with, once unit and first pose are known.
+struct PreparedRegistration {
+    TriangleMesh
+        target;  ///< metres, preprocessed; the part within reach of the scan where the first pose is given
+    Similarity initial;  ///< its scale: metres per unit of the source
+    std::vector<std::string> notes;
+};
+
+/// Unit, first pose and the preprocessed target of one loaded layer. ErrorCode::input for an initial pose
+/// that cannot be had ("auto", broken picks), ErrorCode::untrustworthy when the pose puts the scan away from
+/// the target or the picks do not determine it.
+Result<PreparedRegistration> prepareRegistration(const SceneState& scene, const std::string& layer,
+                                                 const JobControl& control);
+Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::string& layer,
+                                            const PreparedRegistration& prepared, const JobControl& control);
+
 /// Registers one loaded layer of the scene to its target: unit, first pose, preprocessing of the target, NDT.
-/// Reads the state only; any thread. The window and `reconstruct` call this one function.
+/// Reads the state only; any thread. The window and `reconstruct` call this one function (the latter in its
+/// two steps).
 Result<RegistrationResult> registerLayer(const SceneState& scene, const std::string& layer,
                                          const JobControl& control);
 

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "core/base/JobControl.h"
-#include "core/base/Result.h"
 #include "core/scene/Scene.h"
 
 namespace vestige {
 
-/// Turns every aim of the scene into picks with pickPoint on the registered, loaded layers; an aim that hits
-/// nothing, or whose layers the case lacks, gives no pick. Replaces picks that earlier aims gave.
+/// The scene's measurements with every aim turned into picks by pickPoint on the registered, loaded layers;
+/// the picks stand under the aim's method and replace what stood there. An aim that hits nothing, or whose
+/// view or layers the case lacks, gives no pick. Cancelled: the measurements as they were.
 std::vector<Measurement> resolveAims(const SceneState& scene, const JobControl& control);
 
 }  // namespace vestige

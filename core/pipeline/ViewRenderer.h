@@ -69,6 +69,8 @@ class ViewRenderer {
     virtual ~ViewRenderer() = default;
     virtual Status renderPng(const ViewDescription& view, const std::filesystem::path& png,
                              const JobControl& control) = 0;
+    /// What draws, for the report: "VTK 9.1.0".
+    virtual std::string version() const { return {}; }
 };
 
 }  // namespace vestige

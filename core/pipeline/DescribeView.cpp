@@ -1,0 +1,42 @@
+#include "core/pipeline/DescribeView.h"
+
+#include "core/pipeline/TargetDistances.h"
+
+namespace vestige {
+namespace {
+
+Similarity placeOf(const Layer& layer, bool before) {
+    return before && layer.registration ? layer.registration->initial : sceneFromLayer(layer);
+}
+
+std::shared_ptr<const std::vector<float>> residuals(const SceneState& scene, const Layer& layer,
+                                                    bool before) {
+    const Layer* target = scene.layer(scene.target);
+    if (!target || !target->data || !layer.registration) return nullptr;
+    return std::make_shared<const std::vector<float>>(targetDistances(
+        *target->data->octree, sceneFromLayer(*target), *layer.data->points, placeOf(layer, before)));
+}
+
+}  // namespace
+
+ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay, bool before) {
+    ViewDescription view;
+    view.colorMode = colorMode;
+    view.overlay = overlay;
+    view.title = scene.name;
+    for (const Layer& layer : scene.layers) {
+        if (!layer.data || !layer.visible) continue;
+        ViewLayer shown;
+        shown.id = layer.id;
+        shown.name = layer.name;
+        shown.geometry = layer.data->geometry;
+        shown.worldFromLayer = placeOf(layer, before);
+        shown.tint = layer.tint;
+        shown.isTarget = layer.id == scene.target;
+        if (overlay == Overlay::residual) shown.residual_m = residuals(scene, layer, before);
+        view.layers.push_back(std::move(shown));
+    }
+    return view;
+}
+
+}  // namespace vestige

@@ -1,0 +1,72 @@
+#include "core/pipeline/InitialPlacement.h"
+
+#include <algorithm>
+
+#include "core/base/Numbers.h"
+#include "core/registration/InitialPose.h"
+
+namespace vestige {
+namespace {
+
+/// Beyond the picks' own residuals: a picked pair is good to some decimetres at worst.
+constexpr double kPickReach_m = 2;
+
+std::string describePairs(const PairAlignment& alignment) {
+    std::string text = "first pose from " + std::to_string(alignment.residuals_m.size()) +
+                       " picked pairs, root mean square residual " + fixedText(1000 * alignment.rms_m, 1) +
+                       " mm (";
+    for (std::size_t i = 0; i < alignment.residuals_m.size(); ++i)
+        text += (i ? ", " : "") + fixedText(1000 * alignment.residuals_m[i], 1);
+    return text + ")";
+}
+
+struct UnitChoice {
+    LengthUnit unit;
+    std::vector<std::string> notes;
+};
+
+/// The unit the case gives, else the recognised one; a recognised unit that disagrees is told.
+UnitChoice chooseUnit(const Layer& layer, const Layer& target, std::span<const PointPair> pairs) {
+    const UnitGuess guess = guessUnit(*target.data->geometry, *layer.data->geometry, pairs);
+    if (!layer.unit)
+        return {guess.unit, {"unit recognised as " + std::string(symbol(guess.unit)) + ": " + guess.reason}};
+    if (guess.certain && guess.unit != *layer.unit)
+        return {*layer.unit,
+                {"the case gives the unit " + std::string(symbol(*layer.unit)) + ", but it looks like " +
+                 std::string(symbol(guess.unit)) + ": " + guess.reason}};
+    return {*layer.unit, {}};
+}
+
+Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, const Layer& target,
+                                   const InitPicks& init) {
+    const auto pairs = readPointPairs(scene.resolve(init.picks));
+    if (!pairs) return fail(pairs.error());
+    std::vector<PointPair> metric = *pairs;
+    for (PointPair& pair : metric) pair.target *= target.metresPerUnit();
+    UnitChoice choice = chooseUnit(layer, target, metric);
+    const auto alignment = alignPairs(metric, metresPer(choice.unit));
+    if (!alignment) return fail(alignment.error());
+    InitialPlacement placement{alignment->targetFromSource, std::nullopt, std::move(choice.notes)};
+    const double worst = *std::max_element(alignment->residuals_m.begin(), alignment->residuals_m.end());
+    placement.reach_m = kPickReach_m + 3 * worst;
+    placement.notes.push_back(describePairs(*alignment));
+    return placement;
+}
+
+}  // namespace
+
+Result<InitialPlacement> initialPlacement(const SceneState& scene, const Layer& layer, const Layer& target) {
+    if (const auto* picks = std::get_if<InitPicks>(&layer.init))
+        return fromPicks(scene, layer, target, *picks);
+    if (std::holds_alternative<InitAuto>(layer.init))
+        return fail(ErrorCode::input,
+                    "the first pose \"auto\" cannot be found: this version has no automatic search",
+                    "layer " + layer.id, "give \"init\" as picked pairs or as a pose");
+    if (const auto* pose = std::get_if<InitPose>(&layer.init))
+        return InitialPlacement{pose->targetFromSource, kPickReach_m, {}};
+    UnitChoice choice = chooseUnit(layer, target, {});
+    return InitialPlacement{
+        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::move(choice.notes)};
+}
+
+}  // namespace vestige

@@ -1,0 +1,55 @@
+#include "core/pipeline/MeasurementMarks.h"
+
+#include "core/base/Numbers.h"
+#include "core/pipeline/DescribeView.h"
+#include "core/report/Wording.h"
+#include "core/scene/PickFrame.h"
+
+namespace vestige {
+namespace {
+
+/// The method that a pair under `key` (a layer's id, or a method) counts for, as measureScene has it.
+std::string methodOf(const SceneState& scene, const std::string& key, const PickedPair& pair) {
+    if (const Layer* layer = scene.layer(key)) return layer->method;
+    for (const Layer& layer : scene.layers)
+        if (layer.method == key) return key;
+    const Layer* layer = scene.layer(pair.a.layer);
+    return layer ? layer->method : std::string();
+}
+
+std::string label(const LengthStatistic& length) {
+    const auto& u = length.expandedUncertainty_m;
+    std::string text = metres(length.mean_m, u) + " m";
+    if (u) text += " \u00b1 " + fixedText(*u, decimalsFor(u));
+    return text;
+}
+
+}  // namespace
+
+std::optional<ViewMark> measurementMark(const SceneState& scene, const MeasuredLength& length) {
+    const Measurement* measurement = scene.measurement(length.object);
+    if (!measurement || !length.length) return std::nullopt;
+    ViewMark mark{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), label(*length.length), false};
+    double count = 0;
+    for (const auto& [key, pairs] : measurement->picks) {
+        for (const PickedPair& pair : pairs) {
+            if (methodOf(scene, key, pair) != length.method) continue;
+            mark.a += scenePosition(scene, pair.a);
+            mark.b += scenePosition(scene, pair.b);
+            ++count;
+        }
+    }
+    if (count == 0) return std::nullopt;
+    mark.a /= count;
+    mark.b /= count;
+    return mark;
+}
+
+std::vector<ViewMark> measurementMarks(const SceneState& scene, const MeasuredScene& measured) {
+    std::vector<ViewMark> marks;
+    for (const MeasuredLength& length : measured.lengths)
+        if (auto mark = measurementMark(scene, length)) marks.push_back(std::move(*mark));
+    return marks;
+}
+
+}  // namespace vestige

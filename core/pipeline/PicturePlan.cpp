@@ -1,0 +1,167 @@
+#include "core/pipeline/PicturePlan.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/pipeline/CloseUp.h"
+#include "core/pipeline/DescribeView.h"
+#include "core/pipeline/MeasurementMarks.h"
+
+namespace vestige {
+namespace {
+
+constexpr int kWidth = 1400;
+constexpr int kHeight = 900;
+
+/// A name as part of a file's: letters, digits and single dashes.
+std::string slug(const std::string& name) {
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 128 && std::isalnum(byte))
+            text += static_cast<char>(std::tolower(byte));
+        else if (!text.empty() && text.back() != '-')
+            text += '-';
+    }
+    while (!text.empty() && text.back() == '-') text.pop_back();
+    return text.substr(0, 40);
+}
+
+std::string twoDigits(std::size_t number) {
+    return (number < 10 ? "0" : "") + std::to_string(number);
+}
+
+void keepLayers(ViewDescription& view, const std::vector<std::string>& ids) {
+    std::erase_if(view.layers, [&](const ViewLayer& layer) {
+        return std::find(ids.begin(), ids.end(), layer.id) == ids.end();
+    });
+}
+
+/// The target and what is registered to it; a cloud in a frame of its own would only confuse.
+std::vector<std::string> placedLayers(const SceneState& scene) {
+    std::vector<std::string> ids;
+    for (const Layer& layer : scene.layers)
+        if (layer.id == scene.target || layer.registration) ids.push_back(layer.id);
+    return ids;
+}
+
+bool onPlacedLayers(const SceneState& scene, const MeasuredLength& length) {
+    const auto placed = placedLayers(scene);
+    return std::all_of(length.layers.begin(), length.layers.end(), [&](const std::string& id) {
+        return std::find(placed.begin(), placed.end(), id) != placed.end();
+    });
+}
+
+class Planner {
+  public:
+    Planner(const SceneState& scene, const MeasuredScene& measured) : scene_(scene), measured_(measured) {
+        // What the window happened to hide is part of the result all the same.
+        for (Layer& layer : scene_.layers) layer.visible = true;
+    }
+
+    std::vector<PlannedPicture> plan() {
+        overviews();
+        for (const Layer& layer : scene_.layers)
+            if (layer.registration) registration(layer);
+        closeUps();
+        return std::move(pictures_);
+    }
+
+  private:
+    void add(const std::string& name, ReportPicture::Kind kind, const std::string& subject,
+             const std::string& caption, ViewDescription view) {
+        view.title = caption;
+        view.camera.width_px = kWidth;
+        view.camera.height_px = kHeight;
+        pictures_.push_back({"screenshots/" + name + ".png", kind, subject, caption, std::move(view)});
+    }
+
+    void overviews() {
+        ViewDescription view = describeView(scene_, ColorMode::height, Overlay::none);
+        keepLayers(view, placedLayers(scene_));
+        if (view.layers.empty()) return;
+        const BoundingBox box = bounds(view);
+        view.camera = fitCamera(box, NamedView::perspective, kWidth, kHeight);
+        add("overview-perspective", ReportPicture::Kind::overview, {}, "The site, coloured by height", view);
+        view.camera = fitCamera(box, NamedView::top, kWidth, kHeight);
+        add("overview-top", ReportPicture::Kind::overview, {}, "The site from above, coloured by height",
+            view);
+        measuredObjects();
+    }
+
+    void measuredObjects() {
+        ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
+        keepLayers(view, placedLayers(scene_));
+        BoundingBox box;
+        for (const MeasuredLength& length : measured_.lengths) {
+            const auto mark = measurementMark(scene_, length);
+            if (!mark || !onPlacedLayers(scene_, length)) continue;
+            box.add(mark->a);
+            box.add(mark->b);
+            view.marks.push_back(*mark);
+        }
+        if (box.empty()) return;
+        const double radius = 0.5 * box.diagonal() + 1;
+        cropView(view, scene_, box.centre(), 4 * radius);
+        view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.6});
+        add("overview-objects", ReportPicture::Kind::overview, {}, "The measured objects, coloured by scan",
+            view);
+    }
+
+    void registration(const Layer& layer) {
+        for (const bool before : {true, false}) {
+            ViewDescription view = describeView(scene_, ColorMode::source, Overlay::registration, before);
+            keepLayers(view, {scene_.target, layer.id});
+            const BoundingBox box = layer.data->points->bounds().transformed(sceneFromLayer(layer));
+            const double radius = 0.5 * box.diagonal();
+            cropView(view, scene_, box.centre(), 4 * radius);
+            view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.5});
+            add("registration-" + slug(layer.id) + (before ? "-before" : "-after"),
+                before ? ReportPicture::Kind::before : ReportPicture::Kind::after, layer.id,
+                layer.name + (before ? " at its first pose" : " as registered") + ", over the global cloud",
+                std::move(view));
+        }
+    }
+
+    /// One of each object, by the first method that measured it.
+    void closeUps() {
+        std::vector<std::string> done;
+        for (const MeasuredLength& length : measured_.lengths) {
+            if (std::find(done.begin(), done.end(), length.object) != done.end()) continue;
+            const auto mark = measurementMark(scene_, length);
+            if (!mark) continue;
+            done.push_back(length.object);
+            closeUp(length, *mark, done.size());
+        }
+    }
+
+    void closeUp(const MeasuredLength& length, const ViewMark& mark, std::size_t number) {
+        ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
+        if (onPlacedLayers(scene_, length))
+            keepLayers(view, placedLayers(scene_));
+        else
+            keepLayers(view, length.layers);
+        const Eigen::Vector3d middle = 0.5 * (mark.a + mark.b);
+        const double radius = 0.75 * (mark.b - mark.a).norm() + 0.05;
+        cropView(view, scene_, middle, 6 * radius);
+        view.camera = cameraAround(middle, radius, closeUpDirection(scene_, length, mark));
+        view.pointSize_px = 3;
+        view.marks = {mark};
+        view.marks.front().highlighted = true;
+        add("length-" + twoDigits(number) + "-" + slug(length.object), ReportPicture::Kind::closeUp,
+            length.object, length.object + ", by " + length.method, std::move(view));
+    }
+
+    SceneState scene_;
+    const MeasuredScene& measured_;
+    std::vector<PlannedPicture> pictures_;
+};
+
+}  // namespace
+
+std::vector<PlannedPicture> planPictures(const SceneState& scene, const MeasuredScene& measured) {
+    return Planner(scene, measured).plan();
+}
+
+}  // namespace vestige

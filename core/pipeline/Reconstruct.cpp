@@ -1,0 +1,83 @@
+#include "core/pipeline/Reconstruct.h"
+
+#include <ctime>
+
+#include "core/pipeline/Manifest.h"
+#include "core/pipeline/ReconstructRun.h"
+
+namespace vestige {
+namespace {
+
+/// The method, step by step; shares are about the seconds that each takes on a scene of ten million points.
+const Recipe<ReconstructRun>& method() {
+    static const Recipe<ReconstructRun> recipe{
+        {"load", "Reading and indexing the clouds", 10, loadStage},
+        {"preprocess", "Cleaning and thinning the global cloud", 10, preprocessStage},
+        {"register", "Registering the scans", 15, registerStage},
+        {"aim", "Taking recorded aims", 1, aimStage},
+        {"measure", "Measuring", 1, measureStage},
+        {"fuse", "Writing the fused cloud and the tables", 8, fuseStage},
+        {"pictures", "Drawing the pictures", 30, pictureStage},
+        {"report", "Setting the report", 5, reportStage},
+        {"manifest", "Writing the manifest", 2, manifestStage},
+    };
+    return recipe;
+}
+
+std::string utcNow() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+Status checkLayers(const SceneState& scene) {
+    const std::string place = scene.file.string();
+    if (scene.layers.empty()) return fail(ErrorCode::input, "the case has no layers", place);
+    if (!scene.layer(scene.target))
+        return fail(ErrorCode::input, "the target \"" + scene.target + "\" is not a layer of the case", place,
+                    "\"registration\": {\"target\": ...} names the layer that the others are registered to");
+    return {};
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path& outputFolder,
+                                   ViewRenderer* renderer, DocumentPrinter* printer,
+                                   const JobControl& control) {
+    if (const Status checked = checkLayers(scene); !checked) return fail(checked.error());
+    ReconstructRun run{std::move(scene),
+                       OutputFolder(outputFolder),
+                       renderer,
+                       printer,
+                       utcNow(),
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {}};
+    if (const Status opened = run.output.open(); !opened) return fail(opened.error());
+
+    Reconstruction result;
+    const Status done = runRecipe(method(), run, control, [&](const auto& stage, double seconds) {
+        run.stages.push_back({stage.title, seconds});
+        result.secondsPerStage[stage.id] = seconds;
+    });
+    if (!done) return fail(done.error());
+    auto outputs = hashedOutputs(run.output, control);
+    if (!outputs) return fail(outputs.error());
+    result.outputs = std::move(*outputs);
+    if (const Status placed = run.output.commit(obsoleteOutputs(outputFolder, result.outputs)); !placed)
+        return fail(placed.error());
+    result.scene = std::move(run.scene);
+    result.measured = std::move(run.measured);
+    result.notMade = std::move(run.notMade);
+    result.warnings = std::move(run.warnings);
+    return result;
+}
+
+}  // namespace vestige

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/AtomicFile.h"
+#include "core/base/Hash.h"
+#include "core/io/LasWriter.h"
+#include "core/pipeline/ReconstructRun.h"
+#include "core/registration/RegistrationJson.h"
+#include "core/report/AccuracyCsv.h"
+#include "core/report/MeasurementsCsv.h"
+
+namespace vestige {
+namespace {
+
+using nlohmann::json;
+
+/// A VLR with a line `number TAB id TAB name` for each layer.
+CrsRecord layerNames(const SceneState& scene) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i)
+        text += std::to_string(i + 1) + "\t" + scene.layers[i].id + "\t" + scene.layers[i].name + "\n";
+    // A record that is no EVLR holds 65535 bytes at most.
+    text.resize(std::min<std::size_t>(text.size(), 65535));
+    return {"Vestige", 1, "layer names", {text.begin(), text.end()}, false};
+}
+
+/// What the header says: nothing that differs from run to run.
+LasWriteOptions headerOf(const SceneState& scene) {
+    LasWriteOptions options;
+    Sha256 hash;
+    std::pair<int, int> newest{0, 0};  // year, day
+    for (const Layer& layer : scene.layers) {
+        hash.add(layer.data->sha256);
+        if (layer.role != LayerRole::aerial || !layer.data->info.creationDayYear) continue;
+        const auto [day, year] = *layer.data->info.creationDayYear;
+        newest = std::max(newest, {year, day});
+    }
+    options.creationYear = newest.first;
+    options.creationDay = newest.second;
+    const auto digest = hash.digest();
+    std::copy_n(digest.begin(), options.guid.size(), options.guid.begin());
+    const FileInfo& target = scene.layer(scene.target)->data->info;
+    options.crsRecords = target.crsRecords;
+    options.gpsTimeIsAdjustedStandard = target.gpsTimeIsAdjustedStandard;
+    options.extraRecords = {layerNames(scene)};
+    return options;
+}
+
+/// The original points of the target and of every layer registered to it, where the scene has them.
+std::vector<LasPart> partsOf(const SceneState& scene) {
+    std::vector<LasPart> parts;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        const Layer& layer = scene.layers[i];
+        if (layer.id == scene.target || layer.registration)
+            parts.push_back(
+                {layer.data->points.get(), sceneFromLayer(layer), static_cast<std::uint16_t>(i + 1)});
+    }
+    return parts;
+}
+
+std::string registrationText(const SceneState& scene) {
+    json list = json::array();
+    for (const Layer& layer : scene.layers) {
+        if (!layer.registration) continue;
+        json entry = registrationJson(*layer.registration, false);
+        entry["layer"] = layer.id;
+        list.push_back(std::move(entry));
+    }
+    return list.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Status fuseStage(ReconstructRun& run, const JobControl& control) {
+    if (run.scene.layers.size() > 65535)
+        return fail(ErrorCode::input, "a fused cloud holds 65535 layers at most", run.scene.file.string());
+    const Status fused =
+        writeLas(run.output.path("fused.las"), partsOf(run.scene), headerOf(run.scene), control);
+    if (!fused) return fused;
+    const std::pair<const char*, std::string> tables[] = {
+        {"registration.json", registrationText(run.scene)},
+        {"measurements.csv", measurementsCsv(run.measured)},
+        {"accuracy.csv", accuracyCsv(run.measured.accuracy)}};
+    for (const auto& [name, text] : tables)
+        if (const Status written = writeTextFile(run.output.path(name), text); !written) return written;
+    return {};
+}
+
+}  // namespace vestige

@@ -1,0 +1,52 @@
+#include "core/base/Hash.h"
+#include "core/pipeline/LoadLayers.h"
+#include "core/pipeline/ReconstructRun.h"
+
+namespace vestige {
+namespace {
+
+/// The case and picks files, too, are what the results come from.
+Status hashSideFiles(ReconstructRun& run) {
+    const auto add = [&run](const std::string& what, const std::filesystem::path& file) -> Status {
+        const auto hash = sha256OfFile(file);
+        if (!hash) return fail(hash.error());
+        run.inputs.push_back({what, file, *hash});
+        return {};
+    };
+    const auto& file = run.scene.file;
+    const auto caseFile = std::filesystem::is_directory(file) ? file / "case.json" : file;
+    if (!file.empty() && std::filesystem::is_regular_file(caseFile))
+        if (const Status added = add("case", caseFile); !added) return added;
+    for (const Layer& layer : run.scene.layers)
+        if (const auto* picks = std::get_if<InitPicks>(&layer.init))
+            if (const Status added = add("picks of " + layer.id, run.scene.resolve(picks->picks)); !added)
+                return added;
+    return {};
+}
+
+}  // namespace
+
+Status loadStage(ReconstructRun& run, const JobControl& control) {
+    if (const Status hashed = hashSideFiles(run); !hashed) return hashed;
+    auto& layers = run.scene.layers;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const auto file = run.scene.resolve(layers[i].path);
+        const auto count = static_cast<double>(layers.size());
+        const JobControl sub =
+            control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        sub.progress(0, "reading " + file.filename().string());
+        if (!layers[i].data) {
+            auto data = loadLayerData(file, sub);
+            if (!data) return fail(data.error());
+            layers[i].data = std::move(*data);
+        }
+        run.inputs.push_back({"layer " + layers[i].id, file, layers[i].data->sha256});
+        for (const auto& warning : layers[i].data->info.warnings) {
+            run.warnings.push_back(file.filename().string() + ": " + warning);
+            control.message(run.warnings.back());
+        }
+    }
+    return {};
+}
+
+}  // namespace vestige

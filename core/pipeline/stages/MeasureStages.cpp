@@ -1,0 +1,17 @@
+#include "core/pipeline/ReconstructRun.h"
+#include "core/pipeline/ResolveAims.h"
+
+namespace vestige {
+
+Status aimStage(ReconstructRun& run, const JobControl& control) {
+    run.scene.measurements = resolveAims(run.scene, control);
+    if (control.cancelled()) return fail(cancelledError());
+    return {};
+}
+
+Status measureStage(ReconstructRun& run, const JobControl&) {
+    run.measured = measureScene(run.scene);
+    return {};
+}
+
+}  // namespace vestige

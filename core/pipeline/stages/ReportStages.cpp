@@ -1,0 +1,26 @@
+#include "core/base/AtomicFile.h"
+#include "core/base/Hash.h"
+#include "core/pipeline/Manifest.h"
+#include "core/pipeline/ReconstructRun.h"
+#include "core/report/CaseReport.h"
+
+namespace vestige {
+
+Status reportStage(ReconstructRun& run, const JobControl& control) {
+    if (!run.printer) {
+        run.notMade.push_back("report.pdf");
+        return {};
+    }
+    const ReportInput input{run.scene,    run.measured, run.warnings,
+                            run.pictures, run.stages,   softwareVersions(run.renderer, run.printer),
+                            run.date};
+    return run.printer->printPdf(caseReport(input), run.output.path("report.pdf"), control);
+}
+
+Status manifestStage(ReconstructRun& run, const JobControl& control) {
+    auto outputs = hashedOutputs(run.output, control);
+    if (!outputs) return fail(outputs.error());
+    return writeTextFile(run.output.path("manifest.json"), manifestText(run, *outputs));
+}
+
+}  // namespace vestige

@@ -1,0 +1,27 @@
+#include "core/report/CaseReport.h"
+
+#include <array>
+
+#include "core/base/Version.h"
+
+namespace vestige {
+
+Report caseReport(const ReportInput& input) {
+    // A new section is one more line here.
+    constexpr std::array sections{summarySection,      caseSection,   inputSection,    methodSection,
+                                  registrationSection, lengthSection, accuracySection, uncertaintySection,
+                                  notesSection,        originSection};
+    Report report;
+    report.title = "Scene measurement report";
+    report.subtitle = "Digital reconstruction of a road-accident scene from laser scans";
+    report.caseName = input.scene.name;
+    report.operatorName = input.scene.operatorName;
+    report.date = input.date;
+    report.software = std::string("Vestige ") + kVersion;
+    for (const auto& make : sections)
+        if (Section section = make(input); !section.blocks.empty())
+            report.sections.push_back(std::move(section));
+    return report;
+}
+
+}  // namespace vestige

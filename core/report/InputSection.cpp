@@ -1,0 +1,48 @@
+#include "core/base/Numbers.h"
+#include "core/report/CaseReport.h"
+#include "core/report/Wording.h"
+
+namespace vestige {
+namespace {
+
+std::string extentText(const Layer& layer) {
+    const Eigen::Vector3d extent = layer.metresPerUnit() * layer.data->points->bounds().extent();
+    return fixedText(extent.x(), 2) + " \u00d7 " + fixedText(extent.y(), 2) + " \u00d7 " +
+           fixedText(extent.z(), 2);
+}
+
+}  // namespace
+
+Section inputSection(const ReportInput& input) {
+    Section section{"Evidence used", {}};
+    Table table;
+    table.caption = "Files";
+    table.columns = {"No.", "Layer", "Role", "File", "Format", "Unit", "Points", "Extent (m)"};
+    table.numeric = {true, false, false, false, false, false, true, false};
+    Facts hashes;
+    for (std::size_t i = 0; i < input.scene.layers.size(); ++i) {
+        const Layer& layer = input.scene.layers[i];
+        if (!layer.data) continue;
+        const FileInfo& info = layer.data->info;
+        table.rows.push_back({std::to_string(i + 1), layer.name, std::string(name(layer.role)),
+                              layer.path.filename().string(),
+                              info.format + (info.version.empty() ? "" : " " + info.version),
+                              std::string(symbol(layer.unit.value_or(LengthUnit::metre))),
+                              grouped(layer.data->points->size()), extentText(layer)});
+        hashes.rows.emplace_back(layer.path.filename().string(), layer.data->sha256);
+    }
+    if (table.rows.empty()) return section;
+    section.blocks.push_back(Paragraph{
+        "The number of a file is the number that its points carry in the fused cloud (\u201cpoint source "
+        "ID\u201d). The files "
+        "were only read; measuring is done on their original points, never on thinned or smoothed ones."});
+    section.blocks.push_back(std::move(table));
+    section.blocks.push_back(
+        Paragraph{"The SHA-256 value of a file is a fingerprint of its content: a file with the same value "
+                  "is the same file, byte by "
+                  "byte. Whoever holds the files can recompute it with any tool."});
+    section.blocks.push_back(std::move(hashes));
+    return section;
+}
+
+}  // namespace vestige

@@ -1,0 +1,63 @@
+#include "core/base/Numbers.h"
+#include "core/report/CaseReport.h"
+#include "core/report/Wording.h"
+
+namespace vestige {
+namespace {
+
+std::vector<std::string> row(const MeasuredLength& length) {
+    const std::string tape = orDash(length.tape_m ? std::optional(exactText(*length.tape_m)) : std::nullopt);
+    if (!length.length) return {length.object, length.method, tape, "not measurable", "", "", "", ""};
+    const LengthStatistic& statistic = *length.length;
+    const auto& u = statistic.expandedUncertainty_m;
+    const int decimals = decimalsFor(u);
+    const auto shown = [&](const std::optional<double>& value) {
+        return orDash(value ? std::optional(fixedText(*value, decimals)) : std::nullopt);
+    };
+    return {length.object,
+            length.method,
+            tape,
+            fixedText(statistic.mean_m, decimals),
+            std::to_string(statistic.repeats_m.size()),
+            shown(statistic.repeatSd_m),
+            u ? "\u00b1" + fixedText(*u, decimals) : "\u2013",
+            length.re ? signedPercent(*length.re) + (length.excluded ? " *" : "") : "\u2013"};
+}
+
+}  // namespace
+
+Section lengthSection(const ReportInput& input) {
+    Section section{"Measured lengths", {}};
+    if (input.measured.lengths.empty()) return section;
+    Table table;
+    table.caption = "Lengths by object and method";
+    table.columns = {"Object",  "Method",        "Tape (m)",   "Mean (m)",
+                     "Repeats", "Repeat SD (m)", "U 95 % (m)", "RE (%)"};
+    table.numeric = {false, false, true, true, true, true, true, true};
+    bool excluded = false;
+    for (const auto& length : input.measured.lengths) {
+        if (length.excluded) table.emphasised.push_back(table.rows.size());
+        excluded = excluded || length.excluded;
+        table.rows.push_back(row(length));
+    }
+    section.blocks.push_back(
+        Paragraph{"A length is the straight distance between two points that were picked in the cloud. Each "
+                  "was picked several times "
+                  "anew; the mean of the repeats is the result. Repeat SD is the standard deviation of the "
+                  "repeats. U 95 % is the "
+                  "expanded uncertainty: with a probability of 95 % the true length lies within the mean "
+                  "plus or minus U (how it is "
+                  "found stands under \u201cUncertainty of the lengths\u201d). RE is the relative error "
+                  "against the tape."});
+    section.blocks.push_back(std::move(table));
+    if (excluded)
+        section.blocks.push_back(Paragraph{
+            "* Set off in the table: excluded from the RMSE, because the relative error lies beyond "
+            "twice the standard deviation."});
+    for (const auto& picture : input.pictures)
+        if (picture.kind == ReportPicture::Kind::closeUp)
+            section.blocks.push_back(Picture{picture.png, picture.caption, 0.5});
+    return section;
+}
+
+}  // namespace vestige

@@ -1,0 +1,115 @@
+#include "core/report/CaseReport.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include "core/geometry/PointCloudBuilder.h"
+#include "tests/core/report/MeasuredExample.h"
+#include "tests/core/report/ReportText.h"
+
+namespace vestige {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Layer loadedLayer(const std::string& id, LayerRole role, const std::string& sha256) {
+    PointCloudBuilder builder;
+    builder.add({0, 0, 0});
+    builder.add({10, 20, 5});
+    auto data = std::make_shared<LayerData>();
+    data->geometry = std::make_shared<const TriangleMesh>(TriangleMesh{std::move(builder).build(), {}});
+    data->points = std::shared_ptr<const PointCloud>(data->geometry, &data->geometry->vertices);
+    data->sha256 = sha256;
+    data->info.format = "PLY";
+    data->info.warnings = {"two comments were skipped"};
+    Layer layer;
+    layer.id = id;
+    layer.name = id;
+    layer.role = role;
+    layer.path = "/somewhere/" + id + ".ply";
+    layer.data = data;
+    return layer;
+}
+
+class CaseReportTest : public testing::Test {
+  protected:
+    CaseReportTest() {
+        scene.name = "Two cars";
+        scene.operatorName = "M. Muster";
+        scene.target = "aerial";
+        scene.layers = {loadedLayer("aerial", LayerRole::aerial, std::string(64, 'a')),
+                        loadedLayer("front", LayerRole::handheld, std::string(64, 'b'))};
+        RegistrationResult registration;
+        registration.method = "improved-ndt";
+        registration.converged = true;
+        registration.iterations = 31;
+        registration.rmse_m = 0.0123;
+        registration.overlap = 0.78;
+        registration.notes = {"unit recognised as mm"};
+        registration.levels = {{1.0, 12, -0.5, StopReason::step, Pose::Identity()}};
+        registration.targetFromSource.scale = 0.001;
+        registration.initial.scale = 0.001;
+        registration.targetFromSource.pose.translation() = Eigen::Vector3d(0, 0.05, 0);
+        scene.layers[1].registration = registration;
+    }
+
+    std::string text() {
+        return test::textOf(caseReport({scene,
+                                        measured,
+                                        {"a warning"},
+                                        pictures,
+                                        {{"Reading", 75}},
+                                        {{"Vestige", "0.1"}},
+                                        "2026-11-22T07:00:00Z"}));
+    }
+
+    SceneState scene;
+    MeasuredScene measured = test::measuredExample();
+    std::vector<ReportPicture> pictures;
+};
+
+TEST_F(CaseReportTest, HoldsWhatTheCourtAsksFor) {
+    EXPECT_THAT(text(), AllOf(HasSubstr("Two cars"), HasSubstr("aerial.ply: " + std::string(64, 'a')),
+                              HasSubstr("front.ply: " + std::string(64, 'b')), HasSubstr("12.3 mm"),
+                              HasSubstr("78\u00a0%"), HasSubstr("unit recognised as mm"),
+                              HasSubstr("50.0 mm and 0.000\u00b0"), HasSubstr("a warning"),
+                              HasSubstr("two comments were skipped"), HasSubstr("\n1.25\t")));
+}
+
+TEST_F(CaseReportTest, ListsEveryParameterOfTheMethod) {
+    const std::string report = text();
+    for (const ParameterSet* parameters : {&scene.preprocess, &scene.registration})
+        for (const auto& spec : parameters->table())
+            EXPECT_THAT(report,
+                        AllOf(HasSubstr("\n" + spec.label + "\t"), HasSubstr(parameters->display(spec.key))));
+}
+
+TEST_F(CaseReportTest, NamesWhatWasNotMeasurableAndWhatWasExcluded) {
+    EXPECT_THAT(text(), AllOf(HasSubstr("Not measurable: Width, \"front\" (photogrammetry)"),
+                              HasSubstr("Width, \"front\", photogrammetry: hidden by trees"),
+                              HasSubstr("\n+20.00 *\t")));
+}
+
+TEST_F(CaseReportTest, PlacesPicturesWhereTheyBelong) {
+    pictures = {{ReportPicture::Kind::overview, "", "o.png", "The site"},
+                {ReportPicture::Kind::before, "front", "b.png", "Front before"},
+                {ReportPicture::Kind::before, "other", "x.png", "Another layer"},
+                {ReportPicture::Kind::closeUp, "Box", "c.png", "The box"}};
+    const std::string report = text();
+    EXPECT_LT(report.find("# The case"), report.find("The site\n"));
+    EXPECT_LT(report.find("# Registration"), report.find("Front before\n"));
+    EXPECT_LT(report.find("# Measured lengths"), report.find("The box\n"));
+    EXPECT_THAT(report, Not(HasSubstr("Another layer")));
+}
+
+TEST_F(CaseReportTest, LeavesOutSectionsWithNothingToSay) {
+    scene.layers.pop_back();
+    measured = {};
+    const std::string report = text();
+    EXPECT_THAT(report, AllOf(Not(HasSubstr("# Registration")), Not(HasSubstr("# Measured lengths")),
+                              Not(HasSubstr("# Accuracy")), HasSubstr("# Evidence used")));
+}
+
+}  // namespace
+}  // namespace vestige

@@ -1,0 +1,45 @@
+#include "core/report/Wording.h"
+
+#include <gtest/gtest.h>
+
+namespace vestige {
+namespace {
+
+TEST(Wording, SignsPercentages) {
+    EXPECT_EQ(signedPercent(0.0427), "+4.27");
+    EXPECT_EQ(signedPercent(-0.0427), "\u22124.27");
+    EXPECT_EQ(signedPercent(-0.00001), "0.00");
+    EXPECT_EQ(percent(0.0466, 2), "4.66\u00a0%");
+}
+
+TEST(Wording, ShowsTwoFiguresOfTheUncertainty) {
+    EXPECT_EQ(decimalsFor(0.0141), 3);
+    EXPECT_EQ(decimalsFor(0.00034), 5);
+    EXPECT_EQ(decimalsFor(0.25), 2);
+    EXPECT_EQ(decimalsFor(1e-9), 5);
+    EXPECT_EQ(decimalsFor({}), 3);
+    EXPECT_EQ(metres(4.78634, 0.0141), "4.786");
+}
+
+TEST(Wording, GroupsThousands) {
+    EXPECT_EQ(grouped(0), "0");
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(10342112), "10\u00a0342\u00a0112");
+}
+
+TEST(Wording, ListsAndCounts) {
+    EXPECT_EQ(listed({}), "");
+    EXPECT_EQ(listed({"a"}), "a");
+    EXPECT_EQ(listed({"a", "b", "c"}), "a, b and c");
+    EXPECT_EQ(howMany(1, "object"), "1 object");
+    EXPECT_EQ(howMany(3, "object"), "3 objects");
+}
+
+TEST(Wording, TellsDurations) {
+    EXPECT_EQ(duration(8.26), "8.3 s");
+    EXPECT_EQ(duration(125.2), "2 min 05 s");
+    EXPECT_EQ(minutes(125), "2.08");
+}
+
+}  // namespace
+}  // namespace vestige
