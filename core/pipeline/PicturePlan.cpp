@@ -6,6 +6,7 @@
 
 #include "core/pipeline/CloseUp.h"
 #include "core/pipeline/DescribeView.h"
+#include "core/pipeline/FrameView.h"
 #include "core/pipeline/MeasurementMarks.h"
 
 namespace vestige {
@@ -81,10 +82,9 @@ class Planner {
         ViewDescription view = describeView(scene_, ColorMode::height, Overlay::none);
         keepLayers(view, placedLayers(scene_));
         if (view.layers.empty()) return;
-        const BoundingBox box = bounds(view);
-        view.camera = fitCamera(box, NamedView::perspective, kWidth, kHeight);
+        view.camera = frameView(view, NamedView::perspective, kWidth, kHeight);
         add("overview-perspective", ReportPicture::Kind::overview, {}, "The site, coloured by height", view);
-        view.camera = fitCamera(box, NamedView::top, kWidth, kHeight);
+        view.camera = frameView(view, NamedView::top, kWidth, kHeight);
         add("overview-top", ReportPicture::Kind::overview, {}, "The site from above, coloured by height",
             view);
         measuredObjects();

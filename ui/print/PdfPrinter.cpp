@@ -70,6 +70,10 @@ Result<QByteArray> set(const Report& report, const JobControl& control) {
 
 }  // namespace
 
+std::string PdfPrinter::version() const {
+    return std::string("Qt ") + qVersion();
+}
+
 Status PdfPrinter::printPdf(const Report& report, const std::filesystem::path& pdf,
                             const JobControl& control) {
     return guarded(pdf.string(), [&]() -> Status {

@@ -8,6 +8,7 @@ namespace vestige {
 /// loss. A QGuiApplication must exist (the offscreen platform will do).
 class PdfPrinter : public DocumentPrinter {
   public:
+    std::string version() const override;
     Status printPdf(const Report& report, const std::filesystem::path& pdf,
                     const JobControl& control) override;
 };
