@@ -32,11 +32,40 @@ Levels buildLevels(const MomentPyramid& pyramid, std::size_t targetPoints,
         if (!options.voxel_m && pastHalfOfPoints(counts, targetPoints)) break;
     }
     if (options.voxel_m) return levels;
-    const std::size_t chosen = finestByFlatness(counts, targetPoints);
+    const std::size_t chosen = finestByFlatness(counts, targetPoints, options.voxelCeiling_m);
     levels.cells.erase(levels.cells.begin() + static_cast<std::ptrdiff_t>(chosen) + 1, levels.cells.end());
     levels.notes.push_back("Smallest voxel " + fixedText(counts[chosen].voxel_m, 3) + " m, where " +
                            fixedText(100 * counts[chosen].ratio(), 0) + " % of the target's cells are flat");
     return levels;
+}
+
+/// Copies of the last level's grid, shifted along the diagonal.
+std::vector<NormalDistributions> shiftedLevels(const MomentPyramid& pyramid, double size,
+                                               const ImprovedNdtOptions& options) {
+    std::vector<NormalDistributions> shifted;
+    for (int i = 1; i < options.shiftedGrids; ++i) {
+        const VoxelGrid grid(size, size * i / options.shiftedGrids);
+        shifted.emplace_back(pyramid.at(grid), grid, options.distributions);
+    }
+    return shifted;
+}
+
+/// Mean of the score over a grid and its shifted copies.
+ScoredPose meanScore(const NdtScore& score, const std::vector<NormalDistributions>& shifted,
+                     const Pose& pose) {
+    ScoredPose mean = score(pose);
+    for (const NormalDistributions& grid : shifted) {
+        const ScoredPose other = score.withFinest(grid)(pose);
+        mean.score += other.score;
+        mean.gradient += other.gradient;
+        mean.hessian += other.hessian;
+        mean.inside = std::max(mean.inside, other.inside);
+    }
+    const double share = 1 / static_cast<double>(shifted.size() + 1);
+    mean.score *= share;
+    mean.gradient *= share;
+    mean.hessian *= share;
+    return mean;
 }
 
 }  // namespace
@@ -68,8 +97,12 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         const auto cells = std::span(levels.cells).first(i + 1);
         TrustRegionOptions trustRegion = options.trustRegion;
         trustRegion.largestRadius_m = voxel;
+        const bool last = i + 1 == levels.cells.size();
+        const auto shifted =
+            last ? shiftedLevels(pyramid, voxel, options) : std::vector<NormalDistributions>{};
+        const NdtScore score(options.coarserCells ? cells : cells.last(1), source);
         const TrustRegionOutcome outcome =
-            minimise(NdtScore(options.coarserCells ? cells : cells.last(1), source),
+            minimise([&](const Pose& pose) { return meanScore(score, shifted, pose); },
                      frame.toLocal(result.targetFromSource.pose, source), source.radius, trustRegion);
         result.targetFromSource.pose = frame.toWorld(outcome.pose, source);
         result.iterations += outcome.iterations;

@@ -15,9 +15,14 @@ struct ImprovedNdtOptions {
     double voxelStart_m = 4;        ///< v0
     std::optional<double> voxel_m;  ///< v_n; nothing: chosen by flatness
     double voxelFloor_m = 0.1;      ///< the smallest v_n that is considered
-    std::optional<double> leaf_m;   ///< thinning of the source; nothing: v_n / 2
+    /// The largest v_n that is chosen where smaller cells hold enough points: cells must resolve the source.
+    double voxelCeiling_m = 100;
+    std::optional<double> leaf_m;  ///< thinning of the source; nothing: v_n / 2
     /// Where a level has no cell the next larger one counts, so that far surfaces keep their hold.
     bool coarserCells = true;
+    /// Grids, shifted against each other, whose mean score the last level takes: where the faces of one grid
+    /// lie would move the pose by a centimetre.
+    int shiftedGrids = 4;
     DistributionOptions distributions;
     TrustRegionOptions trustRegion;
 };

@@ -95,13 +95,24 @@ void addPoint(Sums& sums, const NormalCell& cell, const Eigen::Vector3d& x, cons
     }
 }
 
-const NormalCell* smallestCell(std::span<const NormalDistributions> target, const Eigen::Vector3d& x) {
-    for (std::size_t level = target.size(); level-- > 0;)
-        if (const NormalCell* cell = target[level].find(x.x(), x.y(), x.z())) return cell;
+const NormalCell* smallestCell(std::span<const NormalDistributions* const> target, const Eigen::Vector3d& x) {
+    for (const NormalDistributions* level : target)
+        if (const NormalCell* cell = level->find(x.x(), x.y(), x.z())) return cell;
     return nullptr;
 }
 
 }  // namespace
+
+NdtScore::NdtScore(std::span<const NormalDistributions> target, const CentredSource& source)
+    : source_(source) {
+    for (std::size_t level = target.size(); level-- > 0;) target_.push_back(&target[level]);
+}
+
+NdtScore NdtScore::withFinest(const NormalDistributions& finest) const {
+    NdtScore other = *this;
+    other.target_.front() = &finest;
+    return other;
+}
 
 ScoredPose NdtScore::operator()(const Pose& pose) const {
     const double perRadius = 1 / source_.radius;

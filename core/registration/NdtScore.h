@@ -35,8 +35,10 @@ class NdtScore {
   public:
     /// `target` is one voxel size, or several from large to small: a point counts in the smallest cell that
     /// holds it (docs/decisions/0004-registration-beyond-the-publication.md). Both must outlive the score.
-    NdtScore(std::span<const NormalDistributions> target, const CentredSource& source)
-        : target_(target), source_(source) {}
+    NdtScore(std::span<const NormalDistributions> target, const CentredSource& source);
+
+    /// The same with other cells at the smallest size. `finest` must outlive the score.
+    NdtScore withFinest(const NormalDistributions& finest) const;
 
     /// `pose` maps the centred source into the target's cells.
     ScoredPose operator()(const Pose& pose) const;
@@ -45,7 +47,7 @@ class NdtScore {
     static Pose moved(const Pose& pose, const Vector6d& step, double radius);
 
   private:
-    std::span<const NormalDistributions> target_;
+    std::vector<const NormalDistributions*> target_;  // from small to large
     const CentredSource& source_;
 };
 

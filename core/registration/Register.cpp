@@ -32,6 +32,8 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
     options.voxelFloor_m = std::min(kFloor_m, options.voxelStart_m / 20);
     options.leaf_m = parameters.optionalReal("leaf_m");
     options.coarserCells = !paper;
+    options.shiftedGrids = paper ? 1 : 4;
+    if (!paper) options.voxelCeiling_m = std::max(options.voxelFloor_m, sourceRadius_m / 5);
     options.distributions.flatCellsInPlane = paper;
     options.distributions.outlierRatio = parameters.real("outlier_ratio");
     options.distributions.flatness = parameters.real("flatness");

@@ -70,7 +70,7 @@ UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source,
         guess.certain = scan.extent > 50 * scene.extent;
         guess.reason += "millimetres";
     } else {
-        guess.certain = scan.extent < scene.extent && scan.spacing < 10 * scene.spacing;
+        guess.certain = scan.extent < 3 * scene.extent && scan.spacing < 10 * scene.spacing;
         guess.reason += "metres";
     }
     return guess;

@@ -25,13 +25,21 @@ bool pastHalfOfPoints(const std::vector<FlatnessCount>& counts, std::size_t targ
                        [&](const FlatnessCount& count) { return holdsHalfOfPoints(count, targetPoints); });
 }
 
-std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints) {
+std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints,
+                             double ceiling) {
     double largest = -1;
-    for (const FlatnessCount& count : counts)
-        if (holdsHalfOfPoints(count, targetPoints)) largest = std::max(largest, count.ratio());
-    std::size_t chosen = 0;
+    std::size_t smallest = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (!holdsHalfOfPoints(counts[i], targetPoints)) continue;
+        smallest = i;
+        if (counts[i].voxel_m <= ceiling) largest = std::max(largest, counts[i].ratio());
+    }
+    if (largest < 0) return smallest;
+    std::size_t chosen = smallest;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        if (holdsHalfOfPoints(counts[i], targetPoints) && counts[i].ratio() >= largest - 0.01) chosen = i;
+        if (holdsHalfOfPoints(counts[i], targetPoints) && counts[i].voxel_m <= ceiling &&
+            counts[i].ratio() >= largest - 0.01)
+            chosen = i;
     return chosen;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/registration/NormalDistributions.h"
@@ -12,7 +13,9 @@ std::vector<double> voxelSchedule(double start, double finest);
 /// Which of the schedule's sizes v_n is (METHOD section 3, step 2): a size counts while at least half of the
 /// target's points lie in voting cells; among sizes within 0.01 of the largest flatness ratio, the smallest.
 /// `counts` runs from the largest size to the smallest; the largest size where none counts. Returns an index.
-std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints);
+/// Sizes above `ceiling` are chosen only where no smaller one counts.
+std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints,
+                             double ceiling = std::numeric_limits<double>::infinity());
 
 /// Whether the last size no longer counts and one before did: smaller ones need no look.
 bool pastHalfOfPoints(const std::vector<FlatnessCount>& counts, std::size_t targetPoints);

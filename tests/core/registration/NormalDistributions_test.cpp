@@ -139,6 +139,8 @@ TEST(VoxelSchedule, TheSmallestOfTheFlattestSizesThatHoldHalfOfThePoints) {
                                             {0.5, 100, 70, 500},
                                             {0.4, 100, 99, 499}};
     EXPECT_EQ(finestByFlatness(counts, 1000), 2U);
+    EXPECT_EQ(finestByFlatness(counts, 1000, 0.5), 3U);
+    EXPECT_EQ(finestByFlatness(counts, 1000, 0.1), 3U);
     EXPECT_TRUE(pastHalfOfPoints(counts, 1000));
     EXPECT_EQ(finestByFlatness({{1, 10, 5, 100}}, 1000), 0U);
 }
