@@ -11,6 +11,7 @@ const std::vector<Verb>& verbs() {
         {"register", "The pose that lays one cloud or mesh on another.", declareRegister},
         {"evaluate", "Registration of a sequence against its known poses, by method, voxel and filter.",
          declareEvaluate},
+        {"accuracy", "Measured lengths against the tape: RE, RMSE, exclusion.", declareAccuracy},
         {"reconstruct", "The main job: registers, measures and reports a case.", declareReconstruct},
     };
     return all;

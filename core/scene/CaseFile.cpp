@@ -11,18 +11,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A case with a thousand measurements is 2 MB; the limits keep a hostile file from filling the memory.
+// A case with a thousand measurements is 2 MB and 40 000 values; the limits keep a hostile file from filling
+// the memory.
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+constexpr std::size_t kMostValues = 1000000;
 constexpr int kDeepest = 64;
 
-nlohmann::json parse(const std::string& text, const std::string& file) {
-    const auto limitDepth = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+/// Refuses a text that would make a tree too deep or too large, before there is any. Knows just enough of
+/// JSON to tell brackets and commas from text.
+void checkSize(const std::string& text, const std::string& file) {
+    std::size_t values = 0;
+    int depth = 0;
+    bool inText = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inText) {
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                inText = false;
+            continue;
+        }
+        inText = c == '"';
+        const bool opens = c == '[' || c == '{';
+        if (opens) ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (opens || c == ',') ++values;
         if (depth > kDeepest)
             throw ErrorException{{ErrorCode::input, "the JSON is nested deeper than any case", file, {}}};
-        return true;
-    };
+        if (values > kMostValues)
+            throw ErrorException{{ErrorCode::input, "the JSON holds more values than any case", file, {}}};
+    }
+}
+
+nlohmann::json parse(const std::string& text, const std::string& file) {
+    checkSize(text, file);
     try {
-        return nlohmann::json::parse(text, limitDepth);
+        return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw ErrorException{{ErrorCode::input,

@@ -122,9 +122,10 @@ void readCaseJson(const JsonCursor& root, const std::filesystem::path& folder, S
     if (const auto operatorName = root.find("operator")) scene.operatorName = operatorName->text();
     if (const auto site = root.find("site")) scene.site = readSite(*site);
     if (const auto layers = root.find("layers")) {
+        std::set<std::string> ids;
         for (const auto& item : layers->elements()) {
             Layer layer = readLayer(item, scene.layers.size(), folder);
-            if (scene.layer(layer.id))
+            if (!ids.insert(layer.id).second)
                 item.at("id").reject("two layers are called '" + layer.id + "'", "expected ids that differ");
             scene.layers.push_back(std::move(layer));
         }

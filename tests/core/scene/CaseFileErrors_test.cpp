@@ -115,6 +115,11 @@ TEST(CaseFileErrors, HostileDepthAndSizeEndWithASentence) {
     std::string objects;
     for (int i = 0; i < 100000; ++i) objects += R"({"a":)";
     EXPECT_EQ(errorOf(objects), "case.json: the JSON is nested deeper than any case");
+    std::string many = R"({"vestige":1,"layers":[)";
+    for (int i = 0; i < 1000000; ++i) many += "{},";
+    EXPECT_EQ(errorOf(many + "{}]}"), "case.json: the JSON holds more values than any case");
+    // Brackets and commas inside text count for nothing.
+    EXPECT_EQ(errorOf(R"({"vestige":1,"name":")" + std::string(2000, '[') + R"(\",\\"})"), "it was read");
     EXPECT_EQ(errorOf(std::string(17 << 20, ' ')),
               "case.json: the file is larger than a file of this kind can be");
     EXPECT_EQ(errorOf(R"({"vestige":1,"layers":[)" + std::string(1000000, '7') + "]}").substr(0, 12),

@@ -1,0 +1,96 @@
+#include <CLI/App.hpp>
+#include <ctime>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/Session.h"
+#include "app/offscreen/OffscreenApplication.h"
+#include "core/base/AtomicFile.h"
+#include "core/base/Numbers.h"
+#include "core/measurement/AccuracyTable.h"
+#include "core/report/AccuracyCsv.h"
+#include "core/report/AccuracyReport.h"
+#include "core/report/ResultsJson.h"
+#include "core/report/Wording.h"
+#include "ui/print/PdfPrinter.h"
+
+namespace vestige::cli {
+namespace {
+
+struct Options {
+    std::string table;
+    std::string csv;
+    std::string pdf;
+};
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+/// Both outputs or none: the CSV is put in place when the PDF stands.
+Status writeOutputs(const std::vector<MethodAccuracy>& methods, const Options& options,
+                    const JobControl& control) {
+    AtomicFile csv(options.csv);
+    if (!options.csv.empty()) {
+        if (auto opened = csv.open(); !opened) return opened;
+        csv.write(accuracyCsv(methods));
+    }
+    if (!options.pdf.empty()) {
+        const OffscreenApplication application;
+        const std::string name = std::filesystem::path(options.table).filename().string();
+        if (auto printed =
+                PdfPrinter().printPdf(accuracyReport(methods, name, today()), options.pdf, control);
+            !printed)
+            return printed;
+    }
+    return options.csv.empty() ? Status{} : csv.commit();
+}
+
+void printForPeople(const Session& session, const MethodAccuracy& method) {
+    const auto percent = [](const std::optional<double>& fraction) {
+        return fraction ? fixedText(100 * *fraction, 2) + " %" : std::string("none");
+    };
+    session.print(
+        method.name + ": " + howMany(method.n, "object") + ", SD " + percent(method.sd) + ", RMSE " +
+        percent(method.rmse) + ", RMSE of all " + percent(method.rmseAll) +
+        (method.rmseAbsolute_m ? ", of all in metres " + fixedText(*method.rmseAbsolute_m, 4) : ""));
+    if (!method.excluded.empty()) session.print("  excluded: " + listed(method.excluded));
+    if (method.systematic)
+        session.print("  none excluded: the errors are systematic, their mean is " +
+                      signedPercent(method.meanRe) + " %");
+}
+
+int run(Session& session, const Options& options) {
+    const auto methods = readAccuracyTable(options.table);
+    if (!methods) return session.failed(methods.error());
+    if (const Status written = writeOutputs(*methods, options, session.control()); !written)
+        return session.failed(written.error());
+    for (const auto& method : *methods) printForPeople(session, method);
+    session.printJson({{"methods", accuracyJson(*methods)}});
+    return 0;
+}
+
+}  // namespace
+
+Run declareAccuracy(CLI::App& command) {
+    const auto options = std::make_shared<Options>();
+    command
+        .add_option(
+            "TABLE", options->table,
+            "CSV with the columns object,tape_m,<name>_m,...: taped and measured lengths in metres, a "
+            "row per object; an empty cell is not measured.")
+        ->required();
+    command
+        .add_option("--out", options->csv,
+                    "The statistics as CSV: method,n,sd,rmse,rmse_all,rmse_abs_m,excluded.")
+        ->type_name("CSV");
+    command.add_option("--pdf", options->pdf, "A report with tables and bar chart.")->type_name("PDF");
+    return [options](Session& session) { return run(session, *options); };
+}
+
+}  // namespace vestige::cli
