@@ -82,7 +82,7 @@ Result<const FileFormat*> formatOfFile(const std::filesystem::path& file) {
     if (!head) return fail(head.error());
     if (head->empty())
         return fail(ErrorCode::input, "the file is empty", file.string() + ", byte 0",
-                    "a point cloud or a mesh");
+                    "expected: a point cloud or a mesh");
     const std::string extension = extensionOf(file);
     for (const auto& format : fileFormats())
         if (format->recognises(*head, extension)) return format.get();

@@ -34,7 +34,7 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
         return fail(ErrorCode::input, "this is a device or pipe, a file was expected", file.string());
     if (facts.st_size == 0)
         return fail(ErrorCode::input, "the file is empty", file.string() + ", byte 0",
-                    "a point cloud or a mesh");
+                    "expected: a point cloud or a mesh");
     const auto size = static_cast<std::size_t>(facts.st_size);
     void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor.number, 0);
     if (data == MAP_FAILED)

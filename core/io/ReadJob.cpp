@@ -3,19 +3,26 @@
 #include <utility>
 
 namespace vestige {
+namespace {
 
-void ReadJob::refuse(std::string message, std::string expected) const {
-    throw ErrorException{{ErrorCode::input, std::move(message), place(), std::move(expected)}};
+std::string hintOf(const std::string& expected) {
+    return expected.empty() ? expected : "expected: " + expected;
 }
 
-void ReadJob::refuseLine(std::size_t line, std::string message, std::string expected) const {
-    throw ErrorException{{ErrorCode::input, std::move(message), place() + ", line " + std::to_string(line),
-                          std::move(expected)}};
+}  // namespace
+
+void ReadJob::refuse(std::string message, const std::string& expected) const {
+    throw ErrorException{{ErrorCode::input, std::move(message), place(), hintOf(expected)}};
 }
 
-void ReadJob::refuseByte(std::size_t byte, std::string message, std::string expected) const {
-    throw ErrorException{{ErrorCode::input, std::move(message), place() + ", byte " + std::to_string(byte),
-                          std::move(expected)}};
+void ReadJob::refuseLine(std::size_t line, std::string message, const std::string& expected) const {
+    throw ErrorException{
+        {ErrorCode::input, std::move(message), place() + ", line " + std::to_string(line), hintOf(expected)}};
+}
+
+void ReadJob::refuseByte(std::size_t byte, std::string message, const std::string& expected) const {
+    throw ErrorException{
+        {ErrorCode::input, std::move(message), place() + ", byte " + std::to_string(byte), hintOf(expected)}};
 }
 
 void ReadJob::warn(std::string sentence) {

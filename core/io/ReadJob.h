@@ -21,9 +21,11 @@ class ReadJob {
     std::string place() const { return path_.string(); }
 
     /// What is wrong and what was expected, at the file, one of its lines (from 1) or bytes (from 0).
-    [[noreturn]] void refuse(std::string message, std::string expected = {}) const;
-    [[noreturn]] void refuseLine(std::size_t line, std::string message, std::string expected = {}) const;
-    [[noreturn]] void refuseByte(std::size_t byte, std::string message, std::string expected = {}) const;
+    [[noreturn]] void refuse(std::string message, const std::string& expected = {}) const;
+    [[noreturn]] void refuseLine(std::size_t line, std::string message,
+                                 const std::string& expected = {}) const;
+    [[noreturn]] void refuseByte(std::size_t byte, std::string message,
+                                 const std::string& expected = {}) const;
 
     /// For the user, kept in FileInfo::warnings.
     void warn(std::string sentence);

@@ -114,7 +114,7 @@ std::size_t checkChunkTable(std::span<const std::byte> file, const LasHeader& he
     const auto last = static_cast<std::int64_t>(file.size() - kChunkTableHeader);
     if (table < static_cast<std::int64_t>(begin) + 8 || table > last)
         job.refuseByte(begin, "the chunk table is said to be at byte " + std::to_string(table),
-                       "a place behind the points and inside the file: is the file cut off?");
+                       "a place behind the points and inside the file");
     const auto place = static_cast<std::size_t>(table);
     const auto version = load<std::uint32_t>(file.data() + place);
     const auto chunks = load<std::uint32_t>(file.data() + place + 4);

@@ -39,7 +39,7 @@ void expectRefused(const std::filesystem::path& file, const std::string& content
     ASSERT_FALSE(loaded) << content.substr(0, 200);
     EXPECT_EQ(loaded.error().code, ErrorCode::input);
     EXPECT_EQ(loaded.error().place, file.string() + place) << loaded.error().sentence();
-    EXPECT_FALSE(loaded.error().hint.empty()) << loaded.error().sentence();
+    EXPECT_NE(loaded.error().hint.find("expected: "), std::string::npos) << loaded.error().sentence();
 }
 
 const std::string kPlyHead = "ply\nformat binary_little_endian 1.0\n";
@@ -99,7 +99,7 @@ TEST(Malformed, TheErrorNamesTheLineOrByte) {
     expectRefused(folder / "k.stl",
                   "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n", ", line 6");
     expectRefused(folder / "l.ply", "", ", byte 0");
-    expectRefused(folder / "m.xml", "<xml/>", ", byte 0");
+    expectRefused(folder / "m.ply", " ", ", line 1");
 }
 
 TEST(Malformed, LazipsOwnRecordsAreCheckedBeforeItSeesThem) {
