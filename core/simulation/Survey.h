@@ -40,7 +40,7 @@ struct ShownRule {
 /// Aerial: dense enough that a click within 6 pixels of 2 mm finds one of them.
 inline constexpr ShownRule kShownByAerial{0.040, 12};
 inline constexpr ShownRule kShownByHandheld{0.005, 20};
-inline constexpr ShownRule kShownByPhotographs{0.060, 6};
+inline constexpr ShownRule kShownByPhotographs{0.060, 5};
 
 /// Builds the scene and runs every scanner on it.
 Result<Survey> surveyScene(const SceneSpec& spec, std::uint64_t seed, double seconds,

@@ -43,7 +43,7 @@ SceneSpec twoCarsScene() {
                   "black.mirror_right_inner");
     scene.measure("Right door handle of the black vehicle", 0.28, "black.handle_right_front",
                   "black.handle_right_rear");
-    scene.measure("Wheel diameter", 0.65, "black.wheel_front_right_a", "black.wheel_front_right_b");
+    scene.measure("Wheel diameter", 0.65, "white.wheel_rear_left_a", "white.wheel_rear_left_b");
     scene.measure("Length of box", 0.75, "box.length_a", "box.length_b");
     scene.measure("Width of box", 0.55, "box.width_a", "box.width_b");
     return scene.take();
