@@ -1,6 +1,7 @@
 #include "app/offscreen/OffscreenApplication.h"
 
 #include <array>
+#include <clocale>
 
 #include "app/offscreen/OsMesaContext.h"
 #include "ui/view/PaintedSurface.h"
@@ -23,6 +24,8 @@ OffscreenApplication::OffscreenApplication() : d_(std::make_unique<Private>()) {
     qunsetenv("QT_QPA_PLATFORMTHEME");
     qunsetenv("QT_STYLE_OVERRIDE");
     d_->application = std::make_unique<QApplication>(d_->count, d_->arguments.data());
+    // Qt has taken the environment's locale; numbers are written with a point everywhere.
+    std::setlocale(LC_NUMERIC, "C");
 }
 
 OffscreenApplication::~OffscreenApplication() = default;

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""`vestige-cli screenshot` from outside, with no display.
+
+screenshot_test.py VESTIGE_CLI
+"""
+import json
+import os
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+CLI = sys.argv[1]
+ENVIRONMENT = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+
+
+def cli(*arguments, code=0):
+    done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=120, env=ENVIRONMENT)
+    if done.returncode != code:
+        raise AssertionError(f"{arguments}: exit {done.returncode}, expected {code}\n{done.stdout}\n{done.stderr}")
+    return done
+
+
+def picture(path):
+    """Width, height and rows of (r, g, b) of an 8-bit PNG without interlacing."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+    channels = {2: 3, 6: 4}[kind]
+    assert depth == 8
+    packed, place = b"", 8
+    while place < len(data):
+        length, name = struct.unpack(">I4s", data[place:place + 8])
+        if name == b"IDAT":
+            packed += data[place + 8:place + 8 + length]
+        place += 12 + length
+    raw, stride, rows = zlib.decompress(packed), width * channels, []
+    last = bytearray(stride)
+    for y in range(height):
+        filter_kind = raw[y * (stride + 1)]
+        row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride):
+            a = row[i - channels] if i >= channels else 0
+            b, c = last[i], last[i - channels] if i >= channels else 0
+            near = min((a, b, c), key=lambda one: abs(a + b - c - one))
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, near)[filter_kind]) & 255
+        rows.append([tuple(row[x * channels:x * channels + 3]) for x in range(width)])
+        last = row
+    return width, height, rows
+
+
+def bright(rows):
+    return sum(max(pixel) > 90 for row in rows for pixel in row)
+
+
+class Screenshot(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        chance = random.Random(1)
+        self.site = self.folder / "site.xyz"
+        self.site.write_text("".join(
+            f"{483400 + chance.uniform(0, 10):.4f} {4375661 + chance.uniform(0, 10):.4f} {35 + chance.gauss(0, .02):.4f}\n"
+            for _ in range(20000)))
+        self.box = self.folder / "box.xyz"
+        self.box.write_text("".join(
+            f"{483404 + chance.uniform(0, 1):.4f} {4375665 + chance.uniform(0, 1):.4f} {36 + chance.gauss(0, .02):.4f}\n"
+            for _ in range(2000)))
+
+    def test_draws_files_of_the_size_asked_for(self):
+        out = self.folder / "new" / "p.png"
+        done = cli("--json", "screenshot", self.site, self.box, "--out", out, "--size", "320x200", "--view", "top")
+        told = json.loads(done.stdout)
+        self.assertEqual((told["width"], told["height"]), (320, 200))
+        self.assertEqual([layer["points"] for layer in told["layers"]], [20000, 2000])
+        width, height, rows = picture(out)
+        self.assertEqual((width, height), (320, 200))
+        self.assertGreater(bright(rows), 0.2 * width * height)
+
+    def test_the_same_bytes_again_and_for_any_threads(self):
+        files = []
+        for threads in (1, 1, 3):
+            files.append(self.folder / f"{len(files)}.png")
+            cli("--threads", threads, "screenshot", self.site, self.box, "--out", files[-1], "--size", "320x200")
+        self.assertEqual(files[0].read_bytes(), files[1].read_bytes())
+        self.assertEqual(files[0].read_bytes(), files[2].read_bytes())
+
+    def test_views_and_overlays_differ(self):
+        seen = set()
+        for options in ([], ["--view", "iso"], ["--view", "front"], ["--view", "left"], ["--view", "top"],
+                        ["--overlay", "registration"], ["--overlay", "residual"], ["--overlay", "source"]):
+            out = self.folder / "p.png"
+            cli("screenshot", self.site, self.box, "--out", out, "--size", "200x120", *options)
+            seen.add(out.read_bytes())
+        self.assertEqual(len(seen), 8)
+
+    def test_registration_tints_the_source_orange(self):
+        out = self.folder / "p.png"
+        cli("screenshot", self.site, self.box, "--out", out, "--size", "320x200", "--view", "top",
+            "--overlay", "registration")
+        _, _, rows = picture(out)
+        orange = sum(r > 150 and r > b + 80 for row in rows for r, g, b in row)
+        bluish = sum(b > 90 and b > r + 20 for row in rows for r, g, b in row)
+        self.assertGreater(orange, 50)
+        self.assertGreater(bluish, 50)
+
+    def test_a_case(self):
+        (self.folder / "case.json").write_text(json.dumps({
+            "vestige": 1, "name": "Two clouds",
+            "layers": [{"id": "aerial", "role": "aerial", "path": "site.xyz", "unit": "m"}],
+            "registration": {"target": "aerial"},
+            "measurements": [{"object": "Width of the site", "tape_m": 10.0, "picks": {"aerial": [
+                [[483400.1, 4375666, 35], [483409.9, 4375666, 35]]]}}]}))
+        out = self.folder / "p.png"
+        cli("screenshot", self.folder / "case.json", "--out", out, "--size", "600x400", "--view", "top")
+        _, _, rows = picture(out)
+        longest = max(sum(min(pixel) > 200 for pixel in row) for row in rows[180:221])
+        self.assertGreater(longest, 200, "the measured line is drawn")
+
+    def test_a_wrong_command_line_is_2(self):
+        out = self.folder / "p.png"
+        for options in (["--size", "12"], ["--size", "0x0"], ["--view", "below"], ["--overlay", "some"]):
+            cli("screenshot", self.site, "--out", out, *options, code=2)
+        cli("screenshot", self.site, code=2)
+        self.assertFalse(out.exists())
+
+    def test_a_missing_input_is_3_and_is_named(self):
+        done = cli("screenshot", self.folder / "none.las", "--out", self.folder / "p.png", code=3)
+        self.assertIn("none.las", done.stderr)
+        self.assertFalse((self.folder / "p.png").exists())
+
+    def test_an_unwritable_output_is_5_and_leaves_what_was_there(self):
+        before = self.site.read_bytes()
+        cli("screenshot", self.site, "--out", self.site / "p.png", "--size", "64x64", code=5)
+        self.assertEqual(self.site.read_bytes(), before)
+        self.assertEqual({file.name for file in self.folder.iterdir()}, {"site.xyz", "box.xyz"})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
