@@ -2,12 +2,25 @@
 
 #include <array>
 #include <clocale>
+#include <cstdio>
+#include <cstdlib>
 
 #include "app/offscreen/OsMesaContext.h"
 #include "ui/view/PaintedSurface.h"
 #include "ui/view/PictureRenderer.h"
 
 namespace vestige {
+
+namespace {
+
+/// Qt's messages on stderr, without the one about a folder that only a desktop session has.
+void passOn(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (text.startsWith(QLatin1String("QStandardPaths: "))) return;
+    std::fprintf(stderr, "%s\n", qPrintable(text));
+    if (type == QtFatalMsg) std::abort();
+}
+
+}  // namespace
 
 struct OffscreenApplication::Private {
     // QApplication keeps references to both for its whole life.
@@ -23,6 +36,7 @@ OffscreenApplication::OffscreenApplication() : d_(std::make_unique<Private>()) {
     qputenv("QT_SCALE_FACTOR", "1");
     qunsetenv("QT_QPA_PLATFORMTHEME");
     qunsetenv("QT_STYLE_OVERRIDE");
+    qInstallMessageHandler(passOn);
     d_->application = std::make_unique<QApplication>(d_->count, d_->arguments.data());
     // Qt has taken the environment's locale; numbers are written with a point everywhere.
     std::setlocale(LC_NUMERIC, "C");

@@ -108,11 +108,15 @@ std::optional<ColorScale> colorScale(const ViewDescription& view) {
     return std::nullopt;
 }
 
+std::size_t targetLayer(const ViewDescription& view) {
+    const auto flagged = std::find_if(view.layers.begin(), view.layers.end(),
+                                      [](const ViewLayer& layer) { return layer.isTarget; });
+    return flagged == view.layers.end() ? 0 : static_cast<std::size_t>(flagged - view.layers.begin());
+}
+
 Rgb layerTint(const ViewDescription& view, std::size_t layer) {
     if (view.overlay != Overlay::registration) return view.layers[layer].tint;
-    const auto isTarget = [](const ViewLayer& one) { return one.isTarget; };
-    const auto flagged = std::find_if(view.layers.begin(), view.layers.end(), isTarget);
-    const std::size_t target = flagged == view.layers.end() ? 0 : flagged - view.layers.begin();
+    const std::size_t target = targetLayer(view);
     if (layer == target) return kTargetTint;
     return kSourceTints[(layer - (layer > target ? 1 : 0)) % kSourceTints.size()];
 }

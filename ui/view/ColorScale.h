@@ -33,6 +33,9 @@ Rgb errorColor(double share);
 /// the colours; distances from 0 to a round number over their 90 % value.
 std::optional<ColorScale> colorScale(const ViewDescription& view);
 
+/// What the others are registered to: the layer that says so, else the first.
+std::size_t targetLayer(const ViewDescription& view);
+
 /// Tint that a layer has in this description: its own, or that of source and target in the overlay
 /// `registration`.
 Rgb layerTint(const ViewDescription& view, std::size_t layer);

@@ -26,7 +26,10 @@ QColor toQt(const Rgb& color) {
     return {color[0], color[1], color[2]};
 }
 
-QString attributeNote(const ViewDescription& view, const ViewLayer& layer) {
+QString attributeNote(const ViewDescription& view, std::size_t index) {
+    const ViewLayer& layer = view.layers[index];
+    if (view.overlay == Overlay::registration || view.overlay == Overlay::residual)
+        return index == targetLayer(view) ? QStringLiteral(", target") : QString();
     if (view.overlay != Overlay::none || !layer.geometry) return {};
     const PointAttributes& attributes = layer.geometry->vertices.attributes();
     if (view.colorMode == ColorMode::rgb && attributes.color.empty()) return QStringLiteral(", no colour");
@@ -35,15 +38,15 @@ QString attributeNote(const ViewDescription& view, const ViewLayer& layer) {
     return {};
 }
 
-std::vector<Row> rows(const ViewDescription& view, const std::optional<ColorScale>& scale) {
+std::vector<Row> rows(const ViewDescription& view) {
     std::vector<Row> all;
     for (std::size_t i = 0; i < view.layers.size(); ++i) {
         const ViewLayer& layer = view.layers[i];
         if (!layer.visible) continue;
-        const QString note = attributeNote(view, layer);
-        const bool tinted =
-            !note.isEmpty() ||
-            (!scale && (view.overlay != Overlay::none || view.colorMode == ColorMode::source));
+        const QString note = attributeNote(view, i);
+        const bool tinted = view.overlay == Overlay::none
+                                ? !note.isEmpty() || view.colorMode == ColorMode::source
+                                : view.overlay != Overlay::residual;
         all.push_back({QString::fromStdString(layer.name.empty() ? layer.id : layer.name) + note,
                        tinted ? std::optional(toQt(layerTint(view, i))) : std::nullopt});
     }
@@ -95,7 +98,7 @@ void paintBar(QPainter& painter, const ViewTheme& theme, const QRectF& place, co
 
 QRectF paintLegend(QPainter& painter, const ViewTheme& theme, const QRectF& inside,
                    const ViewDescription& view, const std::optional<ColorScale>& scale) {
-    const std::vector<Row> all = rows(view, scale);
+    const std::vector<Row> all = rows(view);
     if (all.empty()) return {};
     painter.setFont(theme.font(12));
     const double most = std::max(80.0, 0.4 * inside.width());
