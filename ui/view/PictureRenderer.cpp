@@ -2,12 +2,11 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
-#include <QBuffer>
 #include <QPainter>
 
-#include "core/base/AtomicFile.h"
 #include "ui/view/OffscreenWindow.h"
 #include "ui/view/Overlay.h"
+#include "ui/view/PngFile.h"
 #include "ui/view/SceneDrawing.h"
 
 namespace vestige {
@@ -41,7 +40,7 @@ class PictureRenderer : public ViewRenderer {
             QPainter painter(&picture);
             paintOverlay(painter, {view, view.camera, drawing_->scale(), std::nullopt});
             painter.end();
-            const Status written = write(picture, png);
+            const Status written = writePng(picture, png);
             control.progress(1);
             return written;
         });
@@ -56,17 +55,6 @@ class PictureRenderer : public ViewRenderer {
         window_ = std::make_unique<OffscreenWindow>(std::move(context));
         drawing_ = std::make_unique<SceneDrawing>(window_->renderWindow());
         return {};
-    }
-
-    static Status write(const QImage& picture, const std::filesystem::path& png) {
-        AtomicFile file(png);
-        if (const Status open = file.open(); !open) return open;
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
-            return fail(ErrorCode::output, "the picture could not be packed as PNG", png.string());
-        file.write(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
-        return file.commit();
     }
 
     GlContextFactory contexts_;
