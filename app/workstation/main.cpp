@@ -1,0 +1,89 @@
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QIcon>
+#include <algorithm>
+#include <clocale>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string_view>
+
+#include "core/base/Version.h"
+#include "ui/print/PdfPrinter.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/view/NativeSurface.h"
+#include "ui/view/PictureRenderer.h"
+
+namespace {
+
+using namespace vestige;
+
+/// An exception must not unwind through Qt's event loop; what happened is said before the program ends.
+class Application : public QApplication {
+  public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override {
+        try {
+            return QApplication::notify(receiver, event);
+        } catch (const std::bad_alloc&) {
+            tell("there is not enough memory for this");
+        } catch (const std::exception& error) {
+            tell(error.what());
+        }
+        return false;
+    }
+
+  private:
+    static void tell(const char* what) { std::cerr << "vestige: " << what << '\n'; }
+};
+
+void describe(QCommandLineParser& parser) {
+    parser.setApplicationDescription("Rebuilds road-accident scenes from laser scans and measures them.");
+    parser.addPositionalArgument(
+        "case", "A case (case.json, NAME.vestige) or clouds and meshes to begin with.", "[CASE|FILE...]");
+    parser.addHelpOption();
+    parser.addVersionOption();
+}
+
+/// Help and version need no display.
+bool asksOnlyForWords(int argc, char** argv) {
+    return std::any_of(argv + 1, argv + argc, [](const std::string_view argument) {
+        return argument == "-h" || argument == "--help" || argument == "--help-all" || argument == "-v" ||
+               argument == "--version";
+    });
+}
+
+int run(int argc, char** argv) {
+    QCoreApplication::setOrganizationName("Vestige");
+    QCoreApplication::setApplicationName("vestige");
+    QCoreApplication::setApplicationVersion(kVersion);
+    QCommandLineParser parser;
+    describe(parser);
+    if (asksOnlyForWords(argc, argv)) {
+        const QCoreApplication words(argc, argv);
+        parser.process(words);
+    }
+    setNativeSurfaceFormat();
+    Application application(argc, argv);
+    // Numbers are written with a point everywhere; Qt has set the locale of the environment.
+    std::setlocale(LC_NUMERIC, "C");
+    parser.process(application);
+
+    MainWindow window(nativeSurface(), nativeRenderer(), std::make_unique<PdfPrinter>());
+    QApplication::setWindowIcon(QIcon(":/icons/vestige.svg"));
+    window.show();
+    const QStringList paths = parser.positionalArguments();
+    if (!paths.isEmpty()) window.open(paths);
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "vestige: " << error.what() << '\n';
+    }
+    return 3;
+}

@@ -1,0 +1,273 @@
+#include "ui/shell/MainWindow.h"
+
+#include <gtest/gtest.h>
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QImage>
+#include <QMimeData>
+#include <QSettings>
+#include <QTest>
+#include <QTreeWidget>
+#include <QUrl>
+#include <fstream>
+
+#include "app/offscreen/OffscreenApplication.h"
+#include "core/scene/CaseFile.h"
+#include "tests/support/TestPaths.h"
+#include "tests/ui/shell/SampleScans.h"
+#include "tests/ui/shell/WindowDriver.h"
+#include "ui/document/Document.h"
+#include "ui/jobs/InlineJobRunner.h"
+#include "ui/jobs/ThreadedJobRunner.h"
+#include "ui/print/PdfPrinter.h"
+#include "ui/view/SceneView.h"
+
+namespace vestige {
+namespace {
+
+using test::kBoxCorner;
+using test::kBoxCornerAlongX;
+
+class Workstation : public testing::Test {
+  public:
+    Workstation() {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                           QString::fromStdString((folder / "settings").string()));
+        scans = test::writeSampleScans(folder.path());
+    }
+
+    std::unique_ptr<test::WindowDriver> start(std::unique_ptr<JobRunner> jobs) {
+        return std::make_unique<test::WindowDriver>(
+            std::make_unique<MainWindow>(offscreenSurface(), offscreenRenderer(),
+                                         std::make_unique<PdfPrinter>(), nullptr, std::move(jobs)));
+    }
+    std::unique_ptr<test::WindowDriver> startLoaded(bool both) {
+        auto driver = start(std::make_unique<InlineJobRunner>());
+        std::vector<std::filesystem::path> files{scans.target};
+        if (both) files.push_back(scans.source);
+        EXPECT_TRUE(driver->window().openFiles(files));
+        return driver;
+    }
+    void pickBox(test::WindowDriver& driver, int times) {
+        driver.trigger("tool.distance");
+        for (int i = 0; i < times; ++i) {
+            driver.clickOn(kBoxCorner);
+            driver.clickOn(kBoxCornerAlongX);
+            // A new object's name is being edited now.
+            if (QWidget* focus = QApplication::focusWidget()) QTest::keyClick(focus, Qt::Key_Return);
+        }
+    }
+
+    test::TemporaryFolder folder;
+    test::SampleScans scans;
+};
+
+TEST_F(Workstation, BeginsEmptyAndSaysWhatToDo) {
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    EXPECT_TRUE(driver->window().findChild<QWidget*>("welcome")->isVisible());
+    EXPECT_FALSE(driver->enabled("register.run"));
+    EXPECT_FALSE(driver->enabled("edit.undo"));
+    EXPECT_EQ(driver->label("job"), "Ready");
+}
+
+TEST_F(Workstation, FilesBecomeLayersInOneStep) {
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    driver->answers().files = QStringList{QString::fromStdString(scans.target.string()),
+                                          QString::fromStdString(scans.source.string())};
+    ASSERT_TRUE(driver->trigger("file.add-files"));
+    ASSERT_EQ(driver->scene().layers.size(), 2u);
+    EXPECT_EQ(driver->scene().target, "yard");
+    EXPECT_EQ(driver->textOf("edit.undo"), "Undo add yard, second scan");
+    EXPECT_FALSE(driver->window().findChild<QWidget*>("welcome")->isVisible());
+    EXPECT_EQ(driver->window().findChild<QTreeWidget*>("layers")->topLevelItemCount(), 2);
+    EXPECT_TRUE(driver->trigger("edit.undo"));
+    EXPECT_TRUE(driver->scene().layers.empty());
+    EXPECT_TRUE(driver->trigger("edit.redo"));
+    EXPECT_EQ(driver->scene().layers.size(), 2u);
+    EXPECT_NE(driver->scene().layers[0].data, nullptr);
+}
+
+TEST_F(Workstation, AFileThatCannotBeReadIsToldAndTheOthersAreAdded) {
+    std::ofstream(folder / "broken.ply") << "ply\nformat ascii 1.0\nelement vertex 5\n";
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    const Status opened = driver->window().openFiles({folder / "broken.ply", scans.target});
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::input);
+    EXPECT_NE(opened.error().sentence().find("broken.ply"), std::string::npos);
+    EXPECT_EQ(driver->scene().layers.size(), 1u);
+}
+
+TEST_F(Workstation, ACheckBoxHidesALayerAndUndoShowsIt) {
+    auto driver = startLoaded(false);
+    auto* layers = driver->window().findChild<QTreeWidget*>("layers");
+    layers->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+    QApplication::processEvents();
+    EXPECT_FALSE(driver->scene().layers[0].visible);
+    EXPECT_TRUE(driver->trigger("edit.undo"));
+    EXPECT_TRUE(driver->scene().layers[0].visible);
+    EXPECT_EQ(layers->topLevelItem(0)->checkState(0), Qt::Checked);
+}
+
+TEST_F(Workstation, ThreeClickedPairsAndATapeMakeAMeasurement) {
+    auto driver = startLoaded(false);
+    driver->window().showNamedView(NamedView::top);
+    pickBox(*driver, 3);
+    ASSERT_EQ(driver->scene().measurements.size(), 1u);
+    const Measurement& box = driver->scene().measurements[0];
+    EXPECT_EQ(box.object, "Length 1");
+    ASSERT_EQ(box.picks.at("yard").size(), 3u);
+    EXPECT_EQ(driver->textOf("edit.undo"), "Undo pick Length 1, repeat 3");
+    driver->typeInto(0, 1, "2.00");
+    EXPECT_EQ(driver->scene().measurements[0].tape_m, 2.0);
+    const auto& measured = driver->window().document().measured().lengths;
+    ASSERT_FALSE(measured.empty());
+    ASSERT_TRUE(measured[0].length);
+    EXPECT_NEAR(measured[0].length->mean_m, 2.0, 0.06);
+    ASSERT_TRUE(measured[0].re);
+    EXPECT_TRUE(driver->label("repeats").startsWith("Repeats"));
+}
+
+TEST_F(Workstation, EscapeGivesUpAPair) {
+    auto driver = startLoaded(false);
+    driver->window().showNamedView(NamedView::top);
+    driver->trigger("tool.distance");
+    driver->clickOn(kBoxCorner);
+    EXPECT_TRUE(driver->label("hint").contains("second end")) << driver->label("hint").toStdString();
+    QTest::keyClick(driver->window().view().widget(), Qt::Key_Escape);
+    EXPECT_TRUE(driver->label("hint").contains("first end"));
+    driver->clickOn(kBoxCornerAlongX);
+    EXPECT_TRUE(driver->scene().measurements.empty());
+}
+
+TEST_F(Workstation, DraggingTurnsTheViewAndPicksNothing) {
+    auto driver = startLoaded(false);
+    driver->trigger("tool.distance");
+    QWidget* view = driver->window().view().widget();
+    const Eigen::Vector3d before = driver->window().view().camera().position;
+    QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, {300, 300});
+    for (int x = 310; x <= 400; x += 10) {
+        QMouseEvent move(QEvent::MouseMove, QPointF(x, 300), view->mapToGlobal(QPoint(x, 300)), Qt::NoButton,
+                         Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(view, &move);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, {400, 300});
+    EXPECT_GT((driver->window().view().camera().position - before).norm(), 0.1);
+    EXPECT_TRUE(driver->label("hint").contains("first end"));
+}
+
+TEST_F(Workstation, RegistersUndoesAndRedoes) {
+    auto driver = startLoaded(true);
+    ASSERT_TRUE(driver->trigger("register.run"));
+    const Layer& source = *driver->scene().layer("second-scan");
+    ASSERT_TRUE(source.registration) << "no registration entered";
+    // The source was moved by +x: registering takes it back.
+    const Eigen::Vector3d corner = sceneFromLayer(source) * Eigen::Vector3d(test::kMoved_m, -0.15, 0.05);
+    EXPECT_LT(corner.norm(), 0.05);
+    EXPECT_EQ(driver->textOf("edit.undo"), "Undo register second scan");
+    EXPECT_TRUE(driver->trigger("edit.undo"));
+    EXPECT_FALSE(driver->scene().layer("second-scan")->registration);
+    EXPECT_TRUE(driver->trigger("edit.redo"));
+    EXPECT_TRUE(driver->scene().layer("second-scan")->registration);
+}
+
+TEST_F(Workstation, EverythingIsUndoneAndRedone) {
+    auto driver = startLoaded(true);
+    driver->window().showNamedView(NamedView::top);
+    pickBox(*driver, 2);
+    driver->typeInto(0, 1, "2.05");
+    driver->typeInto(0, 0, "Box, length");
+    int undone = 0;
+    while (driver->trigger("edit.undo")) ++undone;
+    EXPECT_EQ(undone, 5);
+    EXPECT_TRUE(driver->scene().layers.empty());
+    EXPECT_TRUE(driver->scene().measurements.empty());
+    EXPECT_FALSE(driver->window().document().modified());
+    while (driver->trigger("edit.redo")) --undone;
+    EXPECT_EQ(undone, 0);
+    ASSERT_NE(driver->scene().measurement("Box, length"), nullptr);
+    EXPECT_EQ(driver->scene().measurement("Box, length")->tape_m, 2.05);
+}
+
+TEST_F(Workstation, SavesAndReopensTheSameCase) {
+    auto driver = startLoaded(true);
+    driver->window().showNamedView(NamedView::top);
+    pickBox(*driver, 1);
+    driver->typeInto(0, 1, "2.05");
+    driver->answers().casePath = QString::fromStdString((folder / "yard.vestige").string());
+    ASSERT_TRUE(driver->trigger("file.save"));
+    EXPECT_FALSE(driver->window().document().modified());
+    const auto measured = driver->window().document().measured();
+    ASSERT_TRUE(driver->trigger("edit.undo"));
+    EXPECT_TRUE(driver->window().document().modified());
+    ASSERT_TRUE(driver->trigger("file.reopen"));
+    EXPECT_FALSE(driver->window().document().modified());
+    EXPECT_EQ(driver->scene().layers.size(), 2u);
+    EXPECT_NE(driver->scene().layers[1].data, nullptr);
+    const auto again = driver->window().document().measured();
+    ASSERT_EQ(again.lengths.size(), measured.lengths.size());
+    EXPECT_EQ(again.lengths[0].re, measured.lengths[0].re);
+}
+
+TEST_F(Workstation, DroppedFilesAreOpened) {
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    QMimeData dropped;
+    dropped.setUrls({QUrl::fromLocalFile(QString::fromStdString(scans.target.string()))});
+    QDragEnterEvent enter({400, 300}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&driver->window(), &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&driver->window(), &drop);
+    QApplication::processEvents();
+    EXPECT_EQ(driver->scene().layers.size(), 1u);
+}
+
+TEST_F(Workstation, ExportsTheReportAndTheTable) {
+    auto driver = startLoaded(true);
+    driver->window().showNamedView(NamedView::top);
+    pickBox(*driver, 3);
+    driver->typeInto(0, 1, "2.00");
+    driver->answers().csv = QString::fromStdString((folder / "table.csv").string());
+    ASSERT_TRUE(driver->trigger("export.csv"));
+    std::ifstream csv(folder / "table.csv");
+    std::string header;
+    std::getline(csv, header);
+    EXPECT_TRUE(header.starts_with("object,method,tape_m,measured_1_m")) << header;
+    driver->answers().folder = QString::fromStdString((folder / "report").string());
+    ASSERT_TRUE(driver->trigger("export.report"));
+    for (const char* file : {"report.pdf", "measurements.csv", "accuracy.csv", "registration.json",
+                             "fused.las", "manifest.json"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "report" / file)) << file;
+}
+
+TEST_F(Workstation, WorksInAThreadWhileTheViewStaysAlive) {
+    auto driver = start(std::make_unique<ThreadedJobRunner>());
+    ASSERT_TRUE(driver->window().openFiles({scans.target, scans.source}));
+    EXPECT_TRUE(driver->window().jobs().busy());
+    EXPECT_FALSE(driver->enabled("file.add-files"));
+    ASSERT_TRUE(driver->settle());
+    ASSERT_EQ(driver->scene().layers.size(), 2u);
+    ASSERT_TRUE(driver->trigger("register.run"));
+    driver->window().showNamedView(NamedView::top);
+    ASSERT_TRUE(driver->settle());
+    EXPECT_TRUE(driver->scene().layer("second-scan")->registration);
+    driver->answers().folder = QString::fromStdString((folder / "report").string());
+    ASSERT_TRUE(driver->trigger("export.report"));
+    ASSERT_TRUE(driver->settle());
+    EXPECT_TRUE(std::filesystem::exists(folder / "report" / "report.pdf"));
+}
+
+TEST_F(Workstation, ACancelledRegistrationLeavesTheCaseAsItWas) {
+    auto driver = start(std::make_unique<ThreadedJobRunner>());
+    ASSERT_TRUE(driver->window().openFiles({scans.target, scans.source}));
+    ASSERT_TRUE(driver->settle());
+    ASSERT_TRUE(driver->trigger("register.run"));
+    driver->window().jobs().cancel();
+    ASSERT_TRUE(driver->settle());
+    EXPECT_FALSE(driver->scene().layer("second-scan")->registration);
+    EXPECT_EQ(driver->textOf("edit.undo"), "Undo add yard, second scan");
+}
+
+}  // namespace
+}  // namespace vestige

@@ -1,0 +1,110 @@
+#include "ui/actions/ActionSpec.h"
+
+namespace vestige {
+namespace {
+
+bool always(const Situation&) {
+    return true;
+}
+bool whenIdle(const Situation& s) {
+    return !s.busy;
+}
+bool withLayers(const Situation& s) {
+    return s.loadedLayers > 0;
+}
+bool idleWithLayers(const Situation& s) {
+    return !s.busy && s.loadedLayers > 0;
+}
+bool withObject(const Situation& s) {
+    return s.objectSelected;
+}
+
+}  // namespace
+
+const std::vector<ActionSpec>& actionTable() {
+    static const std::vector<ActionSpec> all{
+        {"file.new", "&File", "&New case", "Begin an empty case.", "", "Ctrl+N", whenIdle},
+        {"file.open-case", "&File", "&Open case…", "Open a case (case.json or .vestige).", "open", "Ctrl+O",
+         whenIdle},
+        {"file.add-files", "&File", "Add clo&uds and meshes…",
+         "Add scans as layers: LAS, LAZ, PLY, PCD, OBJ, STL, VTK, text.", "add", "Ctrl+I", whenIdle},
+        {"file.save", "&File", "&Save case", "Save the case where it came from.", "save", "Ctrl+S",
+         [](const Situation& s) { return s.layers > 0 && !s.busy; }, false, "", true},
+        {"file.save-as", "&File", "Save case &as…", "Save the case under another name.", "", "Ctrl+Shift+S",
+         [](const Situation& s) { return s.layers > 0 && !s.busy; }},
+        {"file.reopen", "&File", "Reop&en saved case", "Go back to the case as it was saved.", "", "",
+         whenIdle},
+        {"file.verify", "&File", "&Verify evidence",
+         "Hash every file again and compare with what was read (SHA-256).", "shield", "", idleWithLayers,
+         false, "", true},
+        {"export.report", "&File", "Export &report…",
+         "Reconstruct into a folder: PDF, CSV, pictures, fused cloud, manifest.", "report", "Ctrl+R",
+         idleWithLayers, false, "", true},
+        {"export.csv", "&File", "Export &measurements…", "Write the table of measurements as CSV.", "", "",
+         [](const Situation& s) { return s.hasMeasured; }},
+        {"file.quit", "&File", "&Quit", "Close the program.", "", "Ctrl+Q", always, false, "", true},
+
+        {"edit.undo", "&Edit", "&Undo", "Take the last change of the case back.", "undo", "Ctrl+Z",
+         [](const Situation& s) { return s.canUndo; }},
+        {"edit.redo", "&Edit", "&Redo", "Do again what was undone.", "redo", "Ctrl+Shift+Z",
+         [](const Situation& s) { return s.canRedo; }},
+        {"layer.target", "&Edit", "Make layer the &target", "The other layers are registered to this one.",
+         "", "", [](const Situation& s) { return s.layerSelected && !s.busy; }, false, "", true},
+        {"layer.remove", "&Edit", "Remove &layer", "Take the selected layer out of the case.", "", "",
+         [](const Situation& s) { return s.layerSelected && !s.busy; }},
+        {"object.add", "&Edit", "&Add object", "Add an object to measure.", "plus", "Ctrl+Shift+N", always,
+         false, "", true},
+        {"object.remove", "&Edit", "Remove &object", "Take the selected object out of the table.", "", "",
+         withObject},
+        {"object.remove-pick", "&Edit", "Remove last &pick", "Take the selected object's last repeat away.",
+         "", "Backspace", [](const Situation& s) { return s.hasPicks; }},
+
+        {"register.run", "&Align", "&Register",
+         "Register the selected layer, or all that are not yet, to the target.", "register", "Ctrl+G",
+         [](const Situation& s) { return !s.busy && s.registrable > 0; }},
+        {"register.clear", "&Align", "&Forget registration",
+         "Put the selected layer back to where its file has it.", "", "",
+         [](const Situation& s) { return !s.busy && s.layerSelected && s.registered > 0; }},
+        {"register.tint", "&Align", "&Tint source and target",
+         "Show the target and the registered layers in two colours.", "overlay", "T",
+         [](const Situation& s) { return s.registered > 0; }, true, "", true},
+        {"register.before", "&Align", "Show &before", "Show registered layers at their first pose.", "before",
+         "B", [](const Situation& s) { return s.registered > 0; }, true},
+        {"register.residual", "&Align", "Colour by &distance to target",
+         "Colour registered layers by their distance to the target.", "", "",
+         [](const Situation& s) { return s.registered > 0; }, true},
+
+        {"measure.aims", "&Measure", "Take recorded &aims",
+         "Resolve the clicks that the case recorded into picks.", "", "",
+         [](const Situation& s) { return !s.busy && s.hasAims && s.loadedLayers > 0; }},
+        {"tool.orbit", "&Measure", "&Orbit", "Turn, move and zoom the view.", "orbit", "O", always, true,
+         "tool", true},
+        {"tool.distance", "&Measure", "&Distance",
+         "Click the two ends of an object; three repeats make a measurement.", "distance", "D", withLayers,
+         true, "tool"},
+
+        {"view.perspective", "&View", "&Perspective", "View the scene in perspective.", "perspective", "5",
+         withLayers},
+        {"view.top", "&View", "&Top", "View the scene from above.", "", "7", withLayers},
+        {"view.front", "&View", "&Front", "View the scene from the front.", "", "1", withLayers},
+        {"view.left", "&View", "&Left", "View the scene from the left.", "", "3", withLayers},
+        {"view.iso", "&View", "&Isometric", "View the scene obliquely from above.", "", "9", withLayers},
+        {"view.color-source", "&View", "Colour &by layer", "Each layer in its own tint.", "", "Alt+1", always,
+         true, "color", true},
+        {"view.color-height", "&View", "Colour by &height", "Colour points by their height.", "", "Alt+2",
+         always, true, "color"},
+        {"view.color-intensity", "&View", "Colour by i&ntensity", "Grey by the strength of the return.", "",
+         "Alt+3", always, true, "color"},
+        {"view.color-rgb", "&View", "Colour by &RGB", "The colours that the files have.", "", "Alt+4", always,
+         true, "color"},
+        {"view.edl", "&View", "&Eye-dome lighting", "Shade edges so that shapes stand out.", "edl", "E",
+         always, true, "", true},
+        {"view.larger-points", "&View", "L&arger points", "Draw points larger.", "larger", "+", always},
+        {"view.smaller-points", "&View", "&Smaller points", "Draw points smaller.", "smaller", "-", always},
+
+        {"help.about", "&Help", "&About Vestige", "Version and what it is built with.", "", "", always},
+    };
+    return all;
+}
+
+}  // namespace vestige

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+class QWidget;
+
+namespace vestige {
+
+class ActionCatalog;
+class Document;
+class DocumentPrinter;
+class Evidence;
+class FileChooser;
+class JobRunner;
+class Loader;
+class Notices;
+class Presentation;
+class RecentFiles;
+class Selection;
+class ViewRenderer;
+
+/// What reactions work with; the window owns all of it.
+struct Workbench {
+    QWidget& window;
+    ActionCatalog& actions;
+    Document& document;
+    Selection& selection;
+    Presentation& presentation;
+    JobRunner& jobs;
+    Notices& notices;
+    Loader& loader;
+    Evidence& evidence;
+    RecentFiles& recent;
+    std::unique_ptr<FileChooser>& chooser;  ///< may be exchanged while the window lives
+    ViewRenderer* renderer;                 ///< safe to call from a job; may be null, as the printer
+    DocumentPrinter* printer;
+};
+
+}  // namespace vestige

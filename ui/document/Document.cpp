@@ -1,0 +1,74 @@
+#include "ui/document/Document.h"
+
+#include "core/scene/CaseFile.h"
+#include "ui/document/Wording.h"
+
+namespace vestige {
+
+Document::Document(QObject* parent) : QObject(parent) {
+    watch();
+}
+
+void Document::watch() {
+    scene_.onChange([this] {
+        if (open_ == 0) update();
+    });
+}
+
+void Document::update() {
+    measured_ = measureScene(scene_.state());
+    emit changed();
+}
+
+bool Document::perform(std::unique_ptr<SceneEdit> edit) {
+    return scene_.perform(std::move(edit));
+}
+
+void Document::begin(const QString& description) {
+    ++open_;
+    scene_.begin(description.toStdString());
+}
+
+void Document::end() {
+    scene_.end();
+    if (--open_ == 0) update();
+}
+
+void Document::undo() {
+    scene_.undo();
+}
+
+void Document::redo() {
+    scene_.redo();
+}
+
+QString Document::undoText() const {
+    return QString::fromStdString(scene_.undoText());
+}
+
+QString Document::redoText() const {
+    return QString::fromStdString(scene_.redoText());
+}
+
+QString Document::title() const {
+    if (!state().name.empty()) return QString::fromStdString(state().name);
+    const auto& file = state().file;
+    if (file.filename() == "case.json") return toQt(file.parent_path().stem());
+    if (!file.empty()) return toQt(file.stem());
+    return tr("Untitled case");
+}
+
+Status Document::save(const std::filesystem::path& file) {
+    if (Status written = writeCase(file, state()); !written) return written;
+    scene_.markSaved(file);
+    return {};
+}
+
+void Document::replace(SceneState state) {
+    scene_ = Scene(std::move(state));
+    watch();
+    emit replaced();
+    update();
+}
+
+}  // namespace vestige

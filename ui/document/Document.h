@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QObject>
+#include <filesystem>
+#include <memory>
+
+#include "core/base/Result.h"
+#include "core/scene/MeasuredScene.h"
+#include "core/scene/Scene.h"
+
+namespace vestige {
+
+/// The open case for the window: core's Scene with signals and the figures measured on it. GUI thread only.
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Document(QObject* parent = nullptr);
+
+    const SceneState& state() const { return scene_.state(); }
+    /// Of the present state.
+    const MeasuredScene& measured() const { return measured_; }
+
+    /// The only way to change the case. False when the edit changed nothing.
+    bool perform(std::unique_ptr<SceneEdit> edit);
+    /// Edits between these two are one step of the history; `changed` comes once, at the end.
+    void begin(const QString& description);
+    void end();
+    bool canUndo() const { return scene_.canUndo(); }
+    bool canRedo() const { return scene_.canRedo(); }
+    void undo();
+    void redo();
+    QString undoText() const;
+    QString redoText() const;
+
+    bool modified() const { return scene_.modified(); }
+    /// The case's name, else the file's, else "Untitled case".
+    QString title() const;
+    /// Writes the case and notes `file` as its place.
+    Status save(const std::filesystem::path& file);
+    /// Another case, with an empty history.
+    void replace(SceneState state);
+
+  signals:
+    /// After every edit, undo, redo, save and replacement.
+    void changed();
+    /// Another case was put in its place; comes before `changed`.
+    void replaced();
+
+  private:
+    void watch();
+    void update();
+
+    Scene scene_;
+    MeasuredScene measured_;
+    int open_ = 0;  ///< nested begin()
+};
+
+}  // namespace vestige

@@ -1,0 +1,3 @@
+#include "ui/document/Notices.h"
+
+// The meta-object code of Notices is compiled with this file.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "core/base/Error.h"
+
+namespace vestige {
+
+/// Sentences for the user, from wherever they arise to the bar that shows them. Nothing modal.
+class Notices : public QObject {
+    Q_OBJECT
+
+  public:
+    using QObject::QObject;
+    void inform(const QString& sentence) { emit informed(sentence); }
+    /// Offers to open `path` beside the sentence.
+    void informOf(const QString& sentence, const QString& path) { emit informedOf(sentence, path); }
+    /// A cancelled job is no failure and is not shown as one.
+    void failed(const Error& error) {
+        if (error.code == ErrorCode::cancelled)
+            emit informed(tr("Cancelled; nothing was changed."));
+        else
+            emit warned(QString::fromStdString(error.sentence()) + ".");
+    }
+
+  signals:
+    void informed(const QString& sentence);
+    void informedOf(const QString& sentence, const QString& path);
+    void warned(const QString& sentence);
+};
+
+}  // namespace vestige

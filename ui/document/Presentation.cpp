@@ -1,0 +1,3 @@
+#include "ui/document/Presentation.h"
+
+// The meta-object code of Presentation is compiled with this file.

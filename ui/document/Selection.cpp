@@ -1,0 +1,3 @@
+#include "ui/document/Selection.h"
+
+// The meta-object code of Selection is compiled with this file.

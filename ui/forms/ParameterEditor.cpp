@@ -1,0 +1,79 @@
+#include "ui/forms/ParameterEditor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QStyle>
+
+#include "core/base/Numbers.h"
+
+namespace vestige {
+namespace {
+
+QString valueText(const ParameterValue& value) {
+    if (const auto* real = std::get_if<double>(&value)) return QString::fromStdString(exactText(*real));
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return QString::number(*integer);
+    if (const auto* text = std::get_if<std::string>(&value)) return QString::fromStdString(*text);
+    return {};
+}
+
+}  // namespace
+
+ParameterEditor::ParameterEditor(const ParameterSpec& spec, QWidget* parent) : QWidget(parent), spec_(spec) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    if (spec.type == ParameterType::boolean) {
+        check_ = new QCheckBox;
+        connect(check_, &QAbstractButton::clicked, this,
+                [this](bool on) { emit edited(on ? "true" : "false"); });
+        row->addWidget(check_);
+        row->addStretch();
+    } else if (spec.type == ParameterType::choice) {
+        choice_ = new QComboBox;
+        for (const auto& choice : spec.choices) choice_->addItem(QString::fromStdString(choice));
+        connect(choice_, &QComboBox::textActivated, this, &ParameterEditor::edited);
+        row->addWidget(choice_, 1);
+    } else {
+        field_ = new QLineEdit;
+        if (spec.mayBeAutomatic()) field_->setPlaceholderText(tr("automatic"));
+        connect(field_, &QLineEdit::editingFinished, this, [this] {
+            if (!field_->isModified()) return;
+            field_->setModified(false);
+            const QString text = field_->text().trimmed();
+            emit edited(text.isEmpty() && spec_.mayBeAutomatic() ? QStringLiteral("auto") : text);
+        });
+        row->addWidget(field_, 1);
+        auto* unit = new QLabel(QString::fromStdString(spec.unit));
+        unit->setProperty("role", "muted");
+        unit->setMinimumWidth(22);
+        row->addWidget(unit);
+    }
+    QWidget* editor = layout()->itemAt(0)->widget();
+    editor->setObjectName(QString::fromStdString(spec.key));
+    setToolTip(QString::fromStdString(spec.help));
+    setFocusProxy(editor);
+}
+
+void ParameterEditor::setValue(const ParameterValue& value) {
+    if (check_) {
+        const bool* on = std::get_if<bool>(&value);
+        check_->setChecked(on && *on);
+    } else if (choice_) {
+        choice_->setCurrentText(valueText(value));
+    } else if (!field_->hasFocus() || !field_->isModified()) {
+        field_->setText(valueText(value));
+    }
+    setProblem({});
+}
+
+void ParameterEditor::setProblem(const QString& sentence) {
+    setToolTip(sentence.isEmpty() ? QString::fromStdString(spec_.help) : sentence);
+    QWidget* editor = focusProxy();
+    editor->setProperty("problem", !sentence.isEmpty());
+    editor->style()->unpolish(editor);
+    editor->style()->polish(editor);
+}
+
+}  // namespace vestige

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+#include <vector>
+
+class QHBoxLayout;
+
+namespace vestige {
+
+/// Figures side by side: a large value and below it, small, what it is.
+class FiguresRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    struct Figure {
+        QString value;
+        QString caption;
+        QColor color;  ///< of the value; invalid: that of text
+    };
+    explicit FiguresRow(QWidget* parent = nullptr);
+    /// `size` of the style's roles: "figure" (large) or "figure-small".
+    void setFigures(const std::vector<Figure>& figures, const QString& role = "figure");
+    /// Values and captions, for tests and screen readers.
+    QString text() const { return accessibleDescription(); }
+
+  private:
+    QHBoxLayout* row_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,170 @@
+#include "ui/panels/MeasurementsModel.h"
+
+#include <QColor>
+#include <QFont>
+
+#include "core/base/Numbers.h"
+#include "core/scene/Edits.h"
+#include "ui/document/Document.h"
+#include "ui/document/Selection.h"
+#include "ui/document/Wording.h"
+
+namespace vestige {
+namespace {
+const QColor kMuted(0x8b, 0x96, 0xa3);
+const QColor kAbove(0xf2, 0xab, 0x5c);
+const QColor kBelow(0x8a, 0xb8, 0xff);
+}  // namespace
+
+MeasurementsModel::MeasurementsModel(Document& document, Selection& selection, QObject* parent)
+    : QAbstractTableModel(parent), document_(document), selection_(selection) {
+    connect(&document_, &Document::changed, this, [this] { follow(); });
+    connect(&selection_, &Selection::changed, this, [this] { follow(); });
+    follow();
+}
+
+void MeasurementsModel::follow() {
+    const int now = static_cast<int>(document_.state().measurements.size());
+    if (now == rows_) {
+        // A reset would take away the editor that is just handing over its text.
+        if (now > 0) emit dataChanged(index(0, 0), index(now - 1, columns - 1));
+        return;
+    }
+    beginResetModel();
+    rows_ = now;
+    endResetModel();
+}
+
+int MeasurementsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : rows_;
+}
+
+int MeasurementsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columns;
+}
+
+std::string MeasurementsModel::objectAt(int row) const {
+    const auto& all = document_.state().measurements;
+    return row >= 0 && row < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(row)].object
+                                                          : std::string();
+}
+
+int MeasurementsModel::rowOf(const std::string& object) const {
+    for (int row = 0; row < rowCount(); ++row)
+        if (objectAt(row) == object) return row;
+    return -1;
+}
+
+const MeasuredLength* MeasurementsModel::measuredAt(int row) const {
+    const std::string object = objectAt(row);
+    for (const MeasuredLength& length : document_.measured().lengths)
+        if (length.object == object && length.method == selection_.method()) return &length;
+    return nullptr;
+}
+
+QVariant MeasurementsModel::textAt(int row, Column column) const {
+    const Measurement& measurement = document_.state().measurements[static_cast<std::size_t>(row)];
+    const MeasuredLength* found = measuredAt(row);
+    const LengthStatistic* length = found && found->length ? &*found->length : nullptr;
+    switch (column) {
+        case object:
+            return QString::fromStdString(measurement.object);
+        case tape:
+            return measurement.tape_m ? lengthText(measurement.tape_m) : tr("no tape");
+        case measured:
+            return lengthText(length ? std::optional(length->mean_m) : std::nullopt);
+        case uncertainty:
+            return uncertaintyText(length ? length->expandedUncertainty_m : std::nullopt);
+        case relativeError:
+            return percentText(found ? found->re : std::nullopt);
+        case columns:
+            break;
+    }
+    return {};
+}
+
+QString MeasurementsModel::tipAt(int row) const {
+    const MeasuredLength* found = measuredAt(row);
+    QStringList lines{QString::fromStdString(objectAt(row))};
+    if (!found) return lines.join("\n");
+    if (found->length) {
+        QStringList repeats;
+        for (const double repeat : found->length->repeats_m) repeats << lengthText(repeat);
+        lines << tr("Repeats %1 m").arg(repeats.join(", "));
+        lines << tr("Repeat SD %1 m").arg(uncertaintyText(found->length->repeatSd_m));
+    }
+    if (found->tape_m)
+        lines << tr("The tape itself is good to %1 m (1 SD)").arg(uncertaintyText(found->tapeUncertainty_m));
+    if (found->excluded) lines << tr("Excluded from RMSE: |RE| is beyond 2 SD");
+    if (!found->note.empty()) lines << QString::fromStdString(found->note);
+    return lines.join("\n");
+}
+
+QVariant MeasurementsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || objectAt(index.row()).empty()) return {};
+    const auto column = static_cast<Column>(index.column());
+    const Measurement& measurement = document_.state().measurements[static_cast<std::size_t>(index.row())];
+    const MeasuredLength* found = measuredAt(index.row());
+    const bool excluded = found && found->excluded;
+    if (role == Qt::DisplayRole) return textAt(index.row(), column);
+    if (role == Qt::EditRole) {
+        if (column == tape)
+            return measurement.tape_m ? QString::fromStdString(exactText(*measurement.tape_m)) : QString();
+        return textAt(index.row(), column);
+    }
+    if (role == Qt::ToolTipRole) return tipAt(index.row());
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>((column == object ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (role == Qt::FontRole && excluded) {
+        QFont font;
+        font.setStrikeOut(column == relativeError);
+        font.setItalic(true);
+        return font;
+    }
+    if (role == Qt::ForegroundRole) {
+        if (excluded || (column == tape && !measurement.tape_m)) return kMuted;
+        if (column == relativeError && found && found->re) return *found->re > 0 ? kAbove : kBelow;
+        if (column != object && column != tape && !(found && found->length)) return kMuted;
+    }
+    return {};
+}
+
+QVariant MeasurementsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) return {};
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>((section == object ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole) return {};
+    static const char* const titles[] = {"Object", "Tape m", "Measured", "U 95 %", "RE %"};
+    return tr(titles[section]);
+}
+
+Qt::ItemFlags MeasurementsModel::flags(const QModelIndex& index) const {
+    const auto usual = QAbstractTableModel::flags(index);
+    return index.column() == object || index.column() == tape ? usual | Qt::ItemIsEditable : usual;
+}
+
+bool MeasurementsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole) return false;
+    const std::string named = objectAt(index.row());
+    const QString text = value.toString().trimmed();
+    if (index.column() == object) {
+        if (text.isEmpty() || text.toStdString() == named) return false;
+        if (document_.state().measurement(text.toStdString())) {
+            emit refused(tr("There is already an object called \"%1\".").arg(text));
+            return false;
+        }
+        const bool selected = selection_.object() == named;
+        if (!document_.perform(renameMeasurement(named, text.toStdString()))) return false;
+        if (selected) selection_.setObject(text.toStdString());
+        return true;
+    }
+    if (text.isEmpty()) return document_.perform(setTape(named, std::nullopt));
+    const auto metres = parseReal(QString(text).replace(',', '.').toStdString());
+    if (!metres || !(*metres > 0) || *metres > 1e6) {
+        emit refused(tr("\"%1\" is no tape length: expected metres above 0, such as 4.78.").arg(text));
+        return false;
+    }
+    return document_.perform(setTape(named, metres));
+}
+
+}  // namespace vestige

@@ -1,0 +1,33 @@
+#include "ui/panels/ViewsPanel.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QTreeWidget>
+
+#include "ui/actions/ActionCatalog.h"
+
+namespace vestige {
+
+ViewsPanel::ViewsPanel(const ActionCatalog& actions, QWidget* parent) : PanelSection(tr("Views"), parent) {
+    auto* list = new CompactList({});
+    list->tree().setObjectName("views");
+    list->tree().setSelectionMode(QAbstractItemView::NoSelection);
+    for (const char* id : {"view.perspective", "view.top", "view.front", "view.left", "view.iso"}) {
+        const QAction& action = actions[id];
+        auto* row = new QTreeWidgetItem;
+        row->setText(0, action.text().remove('&'));
+        row->setText(1, action.shortcut().toString(QKeySequence::NativeText));
+        row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        row->setForeground(1, QColor(0x8b, 0x96, 0xa3));
+        row->setData(0, Qt::UserRole, QString(id));
+        row->setToolTip(0, action.statusTip());
+        list->tree().addTopLevelItem(row);
+    }
+    list->fit();
+    setContent(list);
+    connect(&list->tree(), &QTreeWidget::itemClicked, this, [&actions](QTreeWidgetItem* row) {
+        actions[row->data(0, Qt::UserRole).toString().toStdString()].trigger();
+    });
+}
+
+}  // namespace vestige

@@ -1,0 +1,77 @@
+#include "ui/shell/HeaderBar.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/actions/ActionCatalog.h"
+#include "ui/document/Document.h"
+#include "ui/document/Wording.h"
+
+namespace vestige {
+namespace {
+
+/// A button that says what the action says, cut to a width that the bar can spare.
+QPushButton* buttonFor(QAction& action, const QString& role) {
+    auto* button = new QPushButton;
+    button->setProperty("role", role);
+    button->setFocusPolicy(Qt::NoFocus);
+    const auto follow = [button, &action] {
+        const QString text = action.text().remove('&').remove(QChar(0x2026));
+        button->setText(button->fontMetrics().elidedText(text, Qt::ElideRight, 230));
+        button->setToolTip(text + "\n" + action.statusTip());
+        button->setEnabled(action.isEnabled());
+    };
+    QObject::connect(&action, &QAction::changed, button, follow);
+    QObject::connect(button, &QPushButton::clicked, &action, &QAction::trigger);
+    follow();
+    return button;
+}
+
+}  // namespace
+
+HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* parent)
+    : QToolBar(parent), document_(document), title_(new QLabel), saved_(new QLabel) {
+    setObjectName("header");
+    setMovable(false);
+    setIconSize(QSize(18, 18));
+    auto* brand = new QLabel("Vestige");
+    brand->setProperty("role", "brand");
+    addWidget(brand);
+    for (const char* id : {"file.open-case", "file.add-files", "file.save"}) addAction(&actions[id]);
+    title_->setObjectName("case-title");
+    title_->setContentsMargins(12, 0, 4, 0);
+    saved_->setProperty("role", "muted");
+    saved_->setContentsMargins(8, 0, 0, 0);
+    addWidget(title_);
+    addWidget(saved_);
+    auto* right = new QWidget;
+    auto* row = new QHBoxLayout(right);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addStretch(1);
+    row->addWidget(buttonFor(actions["register.run"], "plain"));
+    row->addWidget(buttonFor(actions["edit.undo"], "plain"));
+    row->addWidget(buttonFor(actions["edit.redo"], "plain"));
+    row->addWidget(buttonFor(actions["export.report"], "primary"));
+    right->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(right);
+    connect(&document_, &Document::changed, this, [this] { follow(); });
+    follow();
+}
+
+void HeaderBar::follow() {
+    title_->setText(fontMetrics().elidedText(document_.title(), Qt::ElideRight, 320));
+    const auto& file = document_.state().file;
+    title_->setToolTip(toQt(file));
+    if (document_.modified())
+        saved_->setText(tr("not saved"));
+    else if (!file.empty())
+        saved_->setText(tr("saved %1").arg(QFileInfo(toQt(file)).lastModified().toString("HH:mm:ss")));
+    else
+        saved_->clear();
+}
+
+}  // namespace vestige

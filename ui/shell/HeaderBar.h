@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QToolBar>
+
+class QLabel;
+class QPushButton;
+
+namespace vestige {
+
+class ActionCatalog;
+class Document;
+
+/// The bar under the menus: files at the left, the case's name and whether it is saved, undo, redo and the
+/// report at the right.
+class HeaderBar : public QToolBar {
+    Q_OBJECT
+
+  public:
+    HeaderBar(const ActionCatalog& actions, Document& document, QWidget* parent = nullptr);
+
+  private:
+    void follow();
+
+    Document& document_;
+    QLabel* title_;
+    QLabel* saved_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,199 @@
+#include "ui/shell/MainWindow.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStatusBar>
+
+#include "ui/actions/ActionCatalog.h"
+#include "ui/actions/FileChooser.h"
+#include "ui/actions/Situation.h"
+#include "ui/actions/Workbench.h"
+#include "ui/actions/reactions/EditReactions.h"
+#include "ui/actions/reactions/ExportReactions.h"
+#include "ui/actions/reactions/FileReactions.h"
+#include "ui/actions/reactions/RegistrationReactions.h"
+#include "ui/actions/reactions/ViewReactions.h"
+#include "ui/document/Document.h"
+#include "ui/document/Evidence.h"
+#include "ui/document/Loader.h"
+#include "ui/document/Notices.h"
+#include "ui/document/Presentation.h"
+#include "ui/document/RecentFiles.h"
+#include "ui/document/Selection.h"
+#include "ui/jobs/ThreadedJobRunner.h"
+#include "ui/shell/AboutBox.h"
+#include "ui/shell/GuiThreadRenderer.h"
+#include "ui/shell/HeaderBar.h"
+#include "ui/shell/RecentMenu.h"
+#include "ui/shell/ScenePresenter.h"
+#include "ui/shell/StatusStrip.h"
+#include "ui/shell/Theme.h"
+#include "ui/shell/ToolSwitch.h"
+#include "ui/shell/WorkArea.h"
+#include "ui/view/SceneView.h"
+
+namespace vestige {
+
+/// Members are destroyed from the last to the first: the job runner, whose destructor waits for the worker,
+/// stands below what its jobs use.
+struct MainWindow::Private {
+    Private(MainWindow& window, const ViewSurfaceFactory& makeSurface, std::unique_ptr<ViewRenderer> pictures,
+            std::unique_ptr<DocumentPrinter> pages, std::unique_ptr<JobRunner> runner)
+        : renderer(std::move(pictures)),
+          printer(std::move(pages)),
+          onGuiThread(renderer ? std::make_unique<GuiThreadRenderer>(*renderer) : nullptr),
+          chooser(std::make_unique<FileChooser>()),
+          jobs(runner ? std::move(runner) : std::make_unique<ThreadedJobRunner>()),
+          actions(&window),
+          loader(document, *jobs, notices),
+          evidence(document, *jobs, notices),
+          view(std::make_unique<SceneView>(makeSurface, &window)),
+          presenter(std::make_unique<ScenePresenter>(document, selection, presentation, *jobs, *view)),
+          tools(std::make_unique<ToolSwitch>(actions, document, selection, notices, *view)),
+          bench{window, actions,  document, selection, presentation,      *jobs,        notices,
+                loader, evidence, recent,   chooser,   onGuiThread.get(), printer.get()},
+          files(bench),
+          edits(bench),
+          registration(bench),
+          views(bench),
+          exports(bench) {}
+
+    std::unique_ptr<ViewRenderer> renderer;
+    std::unique_ptr<DocumentPrinter> printer;
+    std::unique_ptr<GuiThreadRenderer> onGuiThread;
+    std::unique_ptr<FileChooser> chooser;
+    Document document;
+    Selection selection;
+    Presentation presentation;
+    Notices notices;
+    RecentFiles recent;
+    std::unique_ptr<JobRunner> jobs;
+    ActionCatalog actions;
+    Loader loader;
+    Evidence evidence;
+    std::unique_ptr<SceneView> view;
+    std::unique_ptr<ScenePresenter> presenter;
+    std::unique_ptr<ToolSwitch> tools;
+    Workbench bench;
+    FileReactions files;
+    EditReactions edits;
+    RegistrationReactions registration;
+    ViewReactions views;
+    ExportReactions exports;
+};
+
+MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<ViewRenderer> renderer,
+                       std::unique_ptr<DocumentPrinter> printer, QWidget* parent,
+                       std::unique_ptr<JobRunner> jobs)
+    : QMainWindow(parent) {
+    applyTheme();
+    setObjectName("main-window");
+    setAcceptDrops(true);
+    setMinimumSize(1160, 640);
+    resize(1400, 875);
+    d_ = std::make_unique<Private>(*this, makeSurface, std::move(renderer), std::move(printer),
+                                   std::move(jobs));
+    Private& d = *d_;
+
+    d.actions.fill(*menuBar());
+    auto* recent = new RecentMenu(d.recent, this);
+    connect(recent, &RecentMenu::chosen, this, [this](const QString& path) { open({path}); });
+    menuBar()->findChild<QMenu*>("file")->insertMenu(&d.actions["file.save"], recent);
+    addToolBar(new HeaderBar(d.actions, d.document, this));
+
+    auto* area = new WorkArea(d.bench, *d.view, *d.tools);
+    connect(area, &WorkArea::chosen, this, [this](const QString& path) { open({path}); });
+    setCentralWidget(area);
+    auto* status = new StatusStrip(d.document, *d.jobs);
+    connect(d.tools.get(), &ToolSwitch::hovered, status, &StatusStrip::showCoordinates);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addPermanentWidget(status, 1);
+
+    connect(&d.views, &ViewReactions::namedViewWanted, d.presenter.get(), &ScenePresenter::showNamedView);
+    d.actions.onTriggered("help.about", [this] { showAbout(this); });
+    const auto update = [this] {
+        d_->actions.update(situationOf(d_->document, d_->selection, *d_->jobs));
+        setWindowTitle(d_->document.title() + "[*] - Vestige");
+        setWindowModified(d_->document.modified());
+    };
+    connect(&d.document, &Document::changed, this, update);
+    connect(&d.selection, &Selection::changed, this, update);
+    connect(d.jobs.get(), &JobRunner::becameBusy, this, update);
+    connect(d.jobs.get(), &JobRunner::finished, this, update);
+    connect(d.jobs.get(), &JobRunner::messaged, &d.notices, &Notices::inform);
+    update();
+}
+
+// The view goes before its widget, and the panels before the document that they show.
+MainWindow::~MainWindow() {
+    hide();
+    d_->tools.reset();
+    d_->presenter.reset();
+    d_->view.reset();
+    delete takeCentralWidget();
+}
+
+Status MainWindow::openCase(const std::filesystem::path& file) {
+    return d_->loader.openCase(file);
+}
+
+Status MainWindow::openFiles(const std::vector<std::filesystem::path>& files) {
+    return d_->loader.addFiles(files);
+}
+
+void MainWindow::open(const QStringList& paths) {
+    d_->files.open(paths);
+}
+
+void MainWindow::setOverlay(Overlay overlay) {
+    d_->presentation.setOverlay(overlay);
+}
+
+void MainWindow::setColorMode(ColorMode mode) {
+    d_->presentation.setColorMode(mode);
+}
+
+void MainWindow::showNamedView(NamedView view) {
+    d_->presenter->showNamedView(view);
+}
+
+Document& MainWindow::document() {
+    return d_->document;
+}
+
+SceneView& MainWindow::view() {
+    return *d_->view;
+}
+
+JobRunner& MainWindow::jobs() {
+    return *d_->jobs;
+}
+
+void MainWindow::setFileChooser(std::unique_ptr<FileChooser> chooser) {
+    d_->chooser = std::move(chooser);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(d_->files.mayLeave());
+    if (event->isAccepted()) d_->jobs->cancel();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    event->acceptProposedAction();
+    // After the drop is done, so that a question about unsaved changes does not hold the other program.
+    QMetaObject::invokeMethod(
+        this, [this, paths] { open(paths); }, Qt::QueuedConnection);
+}
+
+}  // namespace vestige

@@ -1,0 +1,91 @@
+#include "ui/shell/StatusStrip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "ui/document/Document.h"
+#include "ui/document/Wording.h"
+#include "ui/jobs/JobRunner.h"
+
+namespace vestige {
+
+StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      jobs_(jobs),
+      job_(new QLabel),
+      bar_(new QProgressBar),
+      percent_(new QLabel),
+      cancel_(new QPushButton(tr("Cancel"))),
+      coordinates_(new QLabel),
+      layer_(new QLabel) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 3, 12, 3);
+    row->setSpacing(14);
+    job_->setObjectName("job");
+    bar_->setObjectName("progress");
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setFixedSize(132, 5);
+    percent_->setMinimumWidth(40);
+    cancel_->setObjectName("cancel");
+    cancel_->setToolTip(tr("Stop this job; the case stays as it was"));
+    coordinates_->setObjectName("coordinates");
+    layer_->setProperty("role", "muted");
+    row->addWidget(job_);
+    row->addWidget(bar_);
+    row->addWidget(percent_);
+    row->addWidget(cancel_);
+    row->addStretch(1);
+    row->addWidget(coordinates_);
+    row->addWidget(layer_);
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        cancel_->setEnabled(false);
+        jobs_.cancel();
+    });
+    connect(&jobs_, &JobRunner::started, this, [this](const QString& title) {
+        title_ = title;
+        job_->setText(title);
+        bar_->setValue(0);
+        percent_->clear();
+        cancel_->setEnabled(true);
+        for (QWidget* widget :
+             {static_cast<QWidget*>(bar_), static_cast<QWidget*>(percent_), static_cast<QWidget*>(cancel_)})
+            widget->show();
+    });
+    connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& step) {
+        // What a worker's thread reported may arrive after the job's end.
+        if (!jobs_.busy()) return;
+        bar_->setValue(static_cast<int>(1000 * fraction));
+        percent_->setText(tr("%1 %").arg(static_cast<int>(100 * fraction)));
+        job_->setText(step.isEmpty() ? title_ : title_ + ": " + step);
+    });
+    connect(&jobs_, &JobRunner::finished, this, [this] { showIdle(); });
+    connect(&document_, &Document::changed, this, [this] {
+        if (!jobs_.busy()) showIdle();
+    });
+    showIdle();
+}
+
+void StatusStrip::showIdle() {
+    if (jobs_.busy()) return;
+    bar_->hide();
+    percent_->hide();
+    cancel_->hide();
+    std::uint64_t points = 0;
+    for (const Layer& layer : document_.state().layers)
+        if (layer.data) points += layer.data->points->size();
+    const int layers = static_cast<int>(document_.state().layers.size());
+    job_->setText(layers == 0   ? tr("Ready")
+                  : layers == 1 ? tr("%1 points in one layer").arg(countText(points))
+                                : tr("%1 points in %2 layers").arg(countText(points)).arg(layers));
+}
+
+void StatusStrip::showCoordinates(const QString& coordinates, const QString& layer) {
+    coordinates_->setText(coordinates);
+    layer_->setText(layer);
+}
+
+}  // namespace vestige

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace vestige {
+
+class Document;
+class JobRunner;
+
+/// At the foot of the window: the running job with progress and Cancel; the coordinates under the cursor.
+class StatusStrip : public QWidget {
+    Q_OBJECT
+
+  public:
+    StatusStrip(Document& document, JobRunner& jobs, QWidget* parent = nullptr);
+    void showCoordinates(const QString& coordinates, const QString& layer);
+
+  private:
+    void showIdle();
+
+    Document& document_;
+    JobRunner& jobs_;
+    QLabel* job_;
+    QProgressBar* bar_;
+    QLabel* percent_;
+    QPushButton* cancel_;
+    QLabel* coordinates_;
+    QLabel* layer_;
+    QString title_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,84 @@
+#include "ui/shell/ToolPalette.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+#include "ui/actions/ActionCatalog.h"
+#include "ui/document/Presentation.h"
+
+namespace vestige {
+namespace {
+
+QToolButton* buttonFor(QAction& action, Qt::ToolButtonStyle style) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(&action);
+    button->setToolButtonStyle(style);
+    button->setAutoRaise(true);
+    return button;
+}
+
+QFrame* gap() {
+    auto* line = new QFrame;
+    line->setFixedSize(1, 18);
+    line->setProperty("role", "gap");
+    return line;
+}
+
+QString colorText(const Presentation& shown) {
+    if (shown.overlay() == Overlay::residual) return QObject::tr("Distance");
+    if (shown.overlay() == Overlay::registration) return QObject::tr("Source, target");
+    switch (shown.colorMode()) {
+        case ColorMode::height:
+            return QObject::tr("Height");
+        case ColorMode::intensity:
+            return QObject::tr("Intensity");
+        case ColorMode::rgb:
+            return QObject::tr("RGB");
+        case ColorMode::source:
+            break;
+    }
+    return QObject::tr("Layer");
+}
+
+QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentation) {
+    auto* button = new QToolButton;
+    button->setObjectName("color-mode");
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolTip(QObject::tr("What the points' colour shows"));
+    auto* menu = new QMenu(button);
+    for (const char* id :
+         {"view.color-source", "view.color-height", "view.color-intensity", "view.color-rgb"})
+        menu->addAction(&actions[id]);
+    menu->addSeparator();
+    for (const char* id : {"register.tint", "register.residual"}) menu->addAction(&actions[id]);
+    button->setMenu(menu);
+    const auto name = [button, &presentation] { button->setText(colorText(presentation)); };
+    QObject::connect(&presentation, &Presentation::changed, button, name);
+    name();
+    return button;
+}
+
+}  // namespace
+
+ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentation, QWidget* parent)
+    : QFrame(parent) {
+    setObjectName("tool-palette");
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(3, 3, 3, 3);
+    row->setSpacing(2);
+    row->addWidget(buttonFor(actions["tool.orbit"], Qt::ToolButtonTextOnly));
+    row->addWidget(buttonFor(actions["tool.distance"], Qt::ToolButtonTextOnly));
+    row->addWidget(gap());
+    row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));
+    row->addWidget(gap());
+    row->addWidget(colorButton(actions, presentation));
+    row->addWidget(buttonFor(actions["view.smaller-points"], Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(actions["view.larger-points"], Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(actions["view.edl"], Qt::ToolButtonIconOnly));
+}
+
+}  // namespace vestige

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+
+namespace vestige {
+
+class ActionCatalog;
+class Presentation;
+
+/// The bar that floats over the view: tools, colours, before and after, point size, lighting.
+class ToolPalette : public QFrame {
+    Q_OBJECT
+
+  public:
+    ToolPalette(const ActionCatalog& actions, Presentation& presentation, QWidget* parent = nullptr);
+};
+
+}  // namespace vestige

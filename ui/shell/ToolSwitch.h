@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "ui/tools/HoverProbe.h"
+#include "ui/tools/MeasureTool.h"
+#include "ui/tools/OrbitTool.h"
+
+namespace vestige {
+
+class ActionCatalog;
+
+/// Which tool has the mouse, by the actions of the group "tool"; and what is under the cursor, in words.
+class ToolSwitch : public QObject {
+    Q_OBJECT
+
+  public:
+    ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection, Notices& notices,
+               SceneView& view, QObject* parent = nullptr);
+    ~ToolSwitch() override;
+    MeasureTool& measure() { return measure_; }
+
+  signals:
+    void hovered(const QString& coordinates, const QString& layer);
+
+  private:
+    void describe(const std::optional<Pick>& pick);
+
+    Document& document_;
+    SceneView& view_;
+    HoverProbe probe_;
+    OrbitTool orbit_;
+    MeasureTool measure_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,69 @@
+#include "ui/shell/ViewArea.h"
+
+#include <QLabel>
+
+namespace vestige {
+
+ViewArea::ViewArea(QWidget* parent) : QWidget(parent), hint_(new QLabel(this)) {
+    setMinimumSize(360, 260);
+    hint_->setObjectName("hint");
+    hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    hint_->hide();
+}
+
+void ViewArea::setView(QWidget* view) {
+    view_ = view;
+    view->setParent(this);
+    view->setFocusPolicy(Qt::StrongFocus);
+    arrange();
+}
+
+void ViewArea::setTools(QWidget* tools) {
+    tools_ = tools;
+    tools->setParent(this);
+    arrange();
+}
+
+void ViewArea::setWelcome(QWidget* welcome) {
+    welcome_ = welcome;
+    welcome->setParent(this);
+    arrange();
+}
+
+void ViewArea::showWelcome(bool show) {
+    welcome_->setVisible(show);
+    tools_->setVisible(!show);
+    arrange();
+}
+
+void ViewArea::setHint(const QString& hint) {
+    hint_->setText(hint);
+    hint_->setVisible(!hint.isEmpty());
+    arrange();
+}
+
+void ViewArea::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void ViewArea::arrange() {
+    if (view_) {
+        view_->setGeometry(rect());
+        view_->lower();
+    }
+    if (tools_) {
+        tools_->adjustSize();
+        tools_->move(10, 10);
+        tools_->raise();
+    }
+    hint_->adjustSize();
+    hint_->move(10, tools_ ? tools_->geometry().bottom() + 8 : 10);
+    hint_->raise();
+    if (welcome_) {
+        welcome_->setGeometry(rect());
+        welcome_->raise();
+    }
+}
+
+}  // namespace vestige

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace vestige {
+
+/// The 3D view with what floats over it: tools at the top left, below them what the next click does, and the
+/// welcome page while there is nothing to see.
+class ViewArea : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ViewArea(QWidget* parent = nullptr);
+    void setView(QWidget* view);
+    void setTools(QWidget* tools);
+    void setWelcome(QWidget* welcome);
+    void showWelcome(bool show);
+    void setHint(const QString& hint);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void arrange();
+
+    QWidget* view_ = nullptr;
+    QWidget* tools_ = nullptr;
+    QWidget* welcome_ = nullptr;
+    QLabel* hint_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,109 @@
+#include "ui/shell/WorkArea.h"
+
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTabWidget>
+
+#include "ui/actions/ActionCatalog.h"
+#include "ui/document/Document.h"
+#include "ui/document/Evidence.h"
+#include "ui/panels/AccuracyPanel.h"
+#include "ui/panels/AlignPanel.h"
+#include "ui/panels/EvidencePanel.h"
+#include "ui/panels/LayersPanel.h"
+#include "ui/panels/MeasurementsPanel.h"
+#include "ui/panels/ObjectsPanel.h"
+#include "ui/panels/RegistrationStrip.h"
+#include "ui/panels/ViewsPanel.h"
+#include "ui/shell/NoticeBar.h"
+#include "ui/shell/ToolPalette.h"
+#include "ui/shell/ToolSwitch.h"
+#include "ui/shell/ViewArea.h"
+#include "ui/shell/WelcomePage.h"
+#include "ui/view/SceneView.h"
+
+namespace vestige {
+namespace {
+
+QVBoxLayout* columnIn(QWidget* widget, int spacing = 0) {
+    auto* column = new QVBoxLayout(widget);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(spacing);
+    return column;
+}
+
+}  // namespace
+
+WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, QWidget* parent)
+    : QWidget(parent), bench_(bench), view_(view), tools_(tools) {
+    auto* column = columnIn(this);
+    column->addWidget(new NoticeBar(bench_.notices));
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setHandleWidth(1);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(makeLeft());
+    splitter->addWidget(makeMiddle());
+    splitter->addWidget(makeRight());
+    splitter->setStretchFactor(0, 0);
+    splitter->setStretchFactor(1, 1);
+    splitter->setStretchFactor(2, 0);
+    splitter->setSizes({220, 776, 404});
+    column->addWidget(splitter, 1);
+}
+
+QWidget* WorkArea::makeLeft() {
+    auto* content = new QWidget;
+    content->setObjectName("panel-content");
+    auto* column = columnIn(content, 12);
+    column->setContentsMargins(0, 6, 0, 10);
+    column->addWidget(new LayersPanel(bench_.document, bench_.selection));
+    column->addWidget(new ObjectsPanel(bench_.document, bench_.selection));
+    column->addWidget(new EvidencePanel(bench_.document, bench_.evidence));
+    column->addWidget(new ViewsPanel(bench_.actions));
+    column->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(190);
+    return scroll;
+}
+
+QWidget* WorkArea::makeMiddle() {
+    auto* middle = new QWidget;
+    auto* column = columnIn(middle);
+    auto* area = new ViewArea;
+    area->setView(view_.widget());
+    area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
+    auto* welcome = new WelcomePage(bench_.actions, bench_.recent);
+    area->setWelcome(welcome);
+    connect(welcome, &WelcomePage::chosen, this, &WorkArea::chosen);
+    connect(&tools_.measure(), &MeasureTool::hintChanged, area, &ViewArea::setHint);
+    const auto follow = [this, area] { area->showWelcome(bench_.document.state().layers.empty()); };
+    connect(&bench_.document, &Document::changed, area, follow);
+    follow();
+    column->addWidget(area, 1);
+    column->addWidget(new RegistrationStrip(bench_.document, bench_.selection));
+    return middle;
+}
+
+QWidget* WorkArea::makeRight() {
+    auto* measure = new QWidget;
+    auto* column = columnIn(measure, 4);
+    column->setContentsMargins(0, 6, 0, 0);
+    auto* table = new MeasurementsPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions);
+    connect(&tools_.measure(), &MeasureTool::objectCreated, table, &MeasurementsPanel::editName);
+    column->addWidget(table, 1);
+    column->addWidget(new AccuracyPanel(bench_.document, bench_.selection));
+    auto* tabs = new QTabWidget;
+    tabs->setObjectName("right");
+    tabs->setDocumentMode(true);
+    tabs->addTab(measure, tr("Measure"));
+    tabs->addTab(new AlignPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions),
+                 tr("Align"));
+    tabs->setMinimumWidth(340);
+    return tabs;
+}
+
+}  // namespace vestige

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/actions/Workbench.h"
+
+class QSplitter;
+
+namespace vestige {
+
+class SceneView;
+class ToolSwitch;
+
+/// The middle of the window: case at the left, view with registration strip, measurements and alignment at
+/// the right, the notice above.
+class WorkArea : public QWidget {
+    Q_OBJECT
+
+  public:
+    WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, QWidget* parent = nullptr);
+
+  signals:
+    /// A recent file was chosen.
+    void chosen(const QString& path);
+
+  private:
+    QWidget* makeLeft();
+    QWidget* makeMiddle();
+    QWidget* makeRight();
+
+    Workbench bench_;
+    SceneView& view_;
+    ToolSwitch& tools_;
+};
+
+}  // namespace vestige

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ui/tools/HoverProbe.h"
+#include "ui/view/ViewTool.h"
+
+namespace vestige {
+
+/// Leaves the mouse to navigation and tells what is under the cursor.
+class OrbitTool : public ViewTool {
+  public:
+    explicit OrbitTool(HoverProbe& probe) : probe_(probe) {}
+    void leave(SceneView&) override { probe_.stop(); }
+    bool mouseMove(SceneView& view, const QMouseEvent& event) override {
+        probe_.moved(view, event);
+        return false;
+    }
+
+  private:
+    HoverProbe& probe_;
+};
+
+}  // namespace vestige
