@@ -84,7 +84,7 @@ Run declareScreenshot(CLI::App& command) {
     command
         .add_option("--overlay", options->overlay,
                     "registration: target and sources tinted; residual: distance to the target; source: each "
-                    "layer in its colour. Registrations that a case lacks are computed. Default: none.")
+                    "layer in its colour. Default: none.")
         ->check(CLI::IsMember({"registration", "residual", "source", "none"}));
     command
         .add_option("--color", options->color,

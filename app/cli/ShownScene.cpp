@@ -5,12 +5,14 @@
 
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/LoadLayers.h"
+#include "core/pipeline/MeasurementMarks.h"
 #include "core/pipeline/RegisterLayers.h"
 #include "core/pipeline/ResolveAims.h"
 #include "core/pipeline/TargetDistances.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
 #include "core/scene/MeasuredScene.h"
+#include "core/scene/PickFrame.h"
 
 namespace vestige::cli {
 namespace {
@@ -51,15 +53,17 @@ Status load(SceneState& scene, const JobControl& control) {
     return {};
 }
 
-bool lacksRegistration(const SceneState& scene, const Layer& layer) {
-    return !layer.registration && needsRegistration(scene, layer);
-}
-
-Status registerWhatLacks(SceneState& scene, const Session& session, const JobControl& control) {
+/// A layer that cannot be registered ends an overlay that compares layers (`must`); else it is told and left
+/// out.
+Status registerWhatLacks(SceneState& scene, bool must, const Session& session, const JobControl& control) {
     for (Layer& layer : scene.layers) {
-        if (!lacksRegistration(scene, layer)) continue;
+        if (layer.registration || !needsRegistration(scene, layer)) continue;
         auto result = registerLayer(scene, layer.id, control);
-        if (!result) return fail(result.error());
+        if (!result) {
+            if (must || result.error().code == ErrorCode::cancelled) return fail(result.error());
+            session.log("warning: " + result.error().sentence());
+            continue;
+        }
         for (const std::string& note : result->notes) session.log(layer.id + ": " + note);
         if (!layer.unit)
             layer.unit = result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
@@ -68,12 +72,29 @@ Status registerWhatLacks(SceneState& scene, const Session& session, const JobCon
     return {};
 }
 
-/// The measured lengths as marks; what was only aimed at is picked when every layer stands in its place.
+/// A cloud in a frame of its own has no place in the picture of the scene.
+void hideUnplaced(SceneState& scene, const Session& session) {
+    for (Layer& layer : scene.layers) {
+        if (!layer.visible || isPlaced(scene, layer)) continue;
+        layer.visible = false;
+        session.log(layer.id + " is not registered to " + scene.target + " and is left out of the picture");
+    }
+}
+
+/// The lengths measured on what is shown.
 std::vector<ViewMark> marksOf(SceneState& scene, const JobControl& control) {
-    const bool placed = std::none_of(scene.layers.begin(), scene.layers.end(),
-                                     [&](const Layer& layer) { return lacksRegistration(scene, layer); });
-    if (placed) scene.measurements = resolveAims(scene, control);
-    return measurementMarks(scene, measureScene(scene));
+    scene.measurements = resolveAims(scene, control);
+    std::vector<ViewMark> marks;
+    for (const MeasuredLength& length : measureScene(scene).lengths) {
+        const bool shown =
+            std::all_of(length.layers.begin(), length.layers.end(), [&](const std::string& id) {
+                const Layer* layer = scene.layer(id);
+                return layer && layer->visible;
+            });
+        if (!shown) continue;
+        if (auto mark = measurementMark(scene, length)) marks.push_back(std::move(*mark));
+    }
+    return marks;
 }
 
 /// Distances of files that simply lie where they lie.
@@ -107,9 +128,11 @@ Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, Overl
         const bool isCase = looksLikeCase(inputs.front());
         if (const Status loaded = load(*scene, control.sub(0, 0.5)); !loaded) return fail(loaded.error());
         const bool compares = overlay == Overlay::registration || overlay == Overlay::residual;
-        if (isCase && compares)
-            if (const Status done = registerWhatLacks(*scene, session, control.sub(0.5, 1)); !done)
-                return fail(done.error());
+        if (isCase) {
+            const Status done = registerWhatLacks(*scene, compares, session, control.sub(0.5, 1));
+            if (!done) return fail(done.error());
+            hideUnplaced(*scene, session);
+        }
         ViewDescription view = describeView(*scene, ColorMode::height, overlay);
         view.colorMode = colorOf(view, color);
         if (!isCase && overlay == Overlay::residual) addResiduals(view, *scene);

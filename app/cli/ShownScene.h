@@ -8,9 +8,9 @@
 
 namespace vestige::cli {
 
-/// What a picture of a case, or of clouds and meshes, shows: everything loaded and, where an overlay needs it
-/// and the case lacks it, registered. `color` is the name of a ColorMode or "auto". The camera is the
-/// caller's.
+/// What a picture of a case, or of clouds and meshes, shows: everything loaded; of a case the layers
+/// that stand in the scene, registered where it lacks that. `color` is the name of a ColorMode or "auto". The
+/// camera is the caller's.
 Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, Overlay overlay,
                                    const std::string& color, const Session& session,
                                    const JobControl& control);

@@ -122,6 +122,30 @@ class Screenshot(unittest.TestCase):
         longest = max(sum(min(pixel) > 200 for pixel in row) for row in rows[180:221])
         self.assertGreater(longest, 200, "the measured line is drawn")
 
+    def test_a_case_shows_its_scans_registered(self):
+        """A scan in its own frame, millimetres, must not move the picture away from the site."""
+        chance = random.Random(2)
+        corner = [(u, v, w) for u, v, w in ((chance.random(), chance.random(), chance.random()) for _ in range(6000))]
+        # Three walls of a corner, 4 m long; the same for both, with noise of their own.
+        walls = [((4 * u, 4 * v, 0), (4 * u, 0, 4 * v), (0, 4 * u, 4 * v))[int(3 * w)] for u, v, w in corner]
+        noise = lambda: chance.gauss(0, 0.005)
+        (self.folder / "room.xyz").write_text("".join(
+            f"{483400 + x + noise():.4f} {4375661 + y + noise():.4f} {35 + z + noise():.4f}\n" for x, y, z in walls))
+        (self.folder / "scan.xyz").write_text("".join(
+            f"{1000 * (x + noise()):.2f} {1000 * (y + noise()):.2f} {1000 * (z + noise()):.2f}\n" for x, y, z in walls))
+        pose = [1, 0, 0, 483400.03, 0, 1, 0, 4375661.02, 0, 0, 1, 35.02, 0, 0, 0, 1]
+        (self.folder / "case.json").write_text(json.dumps({
+            "vestige": 1, "name": "Corner",
+            "layers": [{"id": "aerial", "role": "aerial", "path": "room.xyz", "unit": "m"},
+                       {"id": "scan", "role": "handheld", "path": "scan.xyz", "unit": "mm",
+                        "init": {"pose": pose, "scale": 0.001}}],
+            "registration": {"target": "aerial"}}))
+        out = self.folder / "p.png"
+        done = cli("--json", "screenshot", self.folder / "case.json", "--out", out, "--size", "320x200")
+        self.assertEqual(len(json.loads(done.stdout)["layers"]), 2)
+        width, height, rows = picture(out)
+        self.assertGreater(bright(rows), 0.1 * width * height)
+
     def test_a_wrong_command_line_is_2(self):
         out = self.folder / "p.png"
         for options in (["--size", "12"], ["--size", "0x0"], ["--view", "below"], ["--overlay", "some"]):
