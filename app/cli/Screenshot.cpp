@@ -4,6 +4,7 @@
 
 #include "app/cli/Session.h"
 #include "app/cli/ShownScene.h"
+#include "app/cli/WindowPicture.h"
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/Numbers.h"
 #include "core/pipeline/FrameView.h"
@@ -19,6 +20,7 @@ struct Options {
     std::string overlay = "none";
     std::string color = "auto";
     double pointSize_px = 2;
+    bool window = false;
 };
 
 /// "1400x900"; nothing when the text is something else.
@@ -36,7 +38,24 @@ std::string sizeProblem(const std::string& text) {
     return sizeFromText(text) ? "" : "WxH is expected, each 16 to 16384 pixels, e.g. 1400x900";
 }
 
+int runWindow(Session& session, const Options& options) {
+    const auto [width, height] = *sizeFromText(options.size);
+    const OffscreenApplication application;
+    const Status drawn = drawWindow({options.inputs, options.out, *namedViewFromName(options.view),
+                                     *overlayFromName(options.overlay), width, height});
+    if (!drawn) return session.failed(drawn.error());
+    session.print(options.out + ": the window, " + options.size + " pixels");
+    session.printJson({{"path", options.out},
+                       {"width", width},
+                       {"height", height},
+                       {"view", options.view},
+                       {"overlay", options.overlay},
+                       {"window", true}});
+    return 0;
+}
+
 int runScreenshot(Session& session, const Options& options) {
+    if (options.window) return runWindow(session, options);
     const JobControl& control = session.control();
     const Overlay overlay = *overlayFromName(options.overlay);
     Result<ViewDescription> view =
@@ -93,6 +112,8 @@ Run declareScreenshot(CLI::App& command) {
         ->check(CLI::IsMember({"auto", "height", "intensity", "rgb", "source"}));
     command.add_option("--point-size", options->pointSize_px, "Pixels. Default: 2.")
         ->check(CLI::Range(1.0, 16.0));
+    command.add_flag("--window", options->window,
+                     "The whole desktop window with the inputs opened, not the 3D view alone.");
     return [options](Session& session) { return runScreenshot(session, *options); };
 }
 

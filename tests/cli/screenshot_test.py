@@ -146,6 +146,15 @@ class Screenshot(unittest.TestCase):
         width, height, rows = picture(out)
         self.assertGreater(bright(rows), 0.1 * width * height)
 
+    def test_the_whole_window(self):
+        out = self.folder / "w.png"
+        cli("screenshot", self.site, self.box, "--out", out, "--size", "1200x800", "--window")
+        width, height, rows = picture(out)
+        self.assertEqual((width, height), (1200, 800))
+        self.assertGreater(bright(rows), 0.02 * width * height)
+        cli("screenshot", self.folder / "none.las", "--out", self.folder / "n.png", "--window", code=3)
+        cli("screenshot", self.site, "--out", self.site / "w.png", "--window", code=5)
+
     def test_a_wrong_command_line_is_2(self):
         out = self.folder / "p.png"
         for options in (["--size", "12"], ["--size", "0x0"], ["--view", "below"], ["--overlay", "some"]):
