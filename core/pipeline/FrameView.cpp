@@ -12,11 +12,20 @@ constexpr std::size_t kSample = 20000;
 constexpr double kStray = 0.002;
 constexpr double kFilled = 0.92;
 constexpr int kSteps = 20;
+constexpr double kNear = 20;  // times the sizes of both
+
+bool isShown(const ViewLayer& layer) {
+    return layer.visible && layer.geometry && !layer.geometry->vertices.empty();
+}
+
+BoundingBox boxOf(const ViewLayer& layer) {
+    return layer.geometry->vertices.bounds().transformed(layer.worldFromLayer);
+}
 
 std::vector<Eigen::Vector3d> samplePoints(const ViewDescription& view) {
     std::vector<Eigen::Vector3d> sample;
-    for (const ViewLayer& layer : view.layers) {
-        if (!layer.visible || !layer.geometry) continue;
+    for (const std::size_t index : subjectLayers(view)) {
+        const ViewLayer& layer = view.layers[index];
         const PointCloud& cloud = layer.geometry->vertices;
         const std::size_t stride = std::max<std::size_t>(1, cloud.size() / kSample);
         for (std::size_t i = 0; i < cloud.size(); i += stride)
@@ -55,6 +64,28 @@ BoundingBox boxOf(const std::vector<Eigen::Vector3d>& sample) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> subjectLayers(const ViewDescription& view) {
+    std::optional<std::size_t> anchor;
+    for (std::size_t i = 0; i < view.layers.size(); ++i)
+        if (isShown(view.layers[i]) && (!anchor || view.layers[i].isTarget)) anchor = i;
+    if (!anchor) return {};
+    const BoundingBox scene = boxOf(view.layers[*anchor]);
+    std::vector<std::size_t> subject;
+    for (std::size_t i = 0; i < view.layers.size(); ++i) {
+        if (!isShown(view.layers[i])) continue;
+        const BoundingBox box = boxOf(view.layers[i]);
+        const double apart = (box.centre() - scene.centre()).norm();
+        if (apart <= kNear * (box.diagonal() + scene.diagonal())) subject.push_back(i);
+    }
+    return subject;
+}
+
+BoundingBox subjectBounds(const ViewDescription& view) {
+    BoundingBox box;
+    for (const std::size_t index : subjectLayers(view)) box.add(boxOf(view.layers[index]));
+    return box;
+}
 
 ViewCamera frameView(const ViewDescription& view, NamedView direction, int width_px, int height_px) {
     const std::vector<Eigen::Vector3d> sample = samplePoints(view);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "core/pipeline/FrameView.h"
 #include "ui/view/MeshActor.h"
 #include "ui/view/PicturePass.h"
 #include "ui/view/PointColors.h"
@@ -61,7 +62,7 @@ struct SceneDrawing::Private {
     explicit Private(vtkRenderWindow& shown) : window(shown) {}
 
     void placeOrigin(const ViewDescription& view) {
-        const BoundingBox box = bounds(view);
+        const BoundingBox box = subjectBounds(view);
         if (box.empty()) return;
         const bool near = (origin - box.centre()).norm() <= std::max(100.0, box.diagonal());
         if (near && !layers.empty()) return;

@@ -61,6 +61,22 @@ TEST(FrameView, KeepsTheDirectionOfTheNamedView) {
     }
 }
 
+TEST(FrameView, AScanInAFrameOfItsOwnDoesNotMoveThePictureAway) {
+    ViewDescription view = site(false);
+    const ViewCamera alone = frameView(view, NamedView::perspective, 1400, 900);
+    PointCloudBuilder builder;
+    for (int i = 0; i < 1000; ++i) builder.add({0.01 * i, 0.02 * i, 0});
+    auto scan = std::make_shared<TriangleMesh>();
+    scan->vertices = std::move(builder).build();
+    view.layers[0].isTarget = true;
+    view.layers.insert(view.layers.begin(), {"scan", "scan", scan, {}, {244, 154, 52}, nullptr, true, false});
+    const ViewCamera both = frameView(view, NamedView::perspective, 1400, 900);
+    EXPECT_LT((both.position - alone.position).norm(), 1e-6);
+    EXPECT_EQ(subjectLayers(view), std::vector<std::size_t>{1});
+    view.layers[1].visible = false;
+    EXPECT_EQ(subjectLayers(view), std::vector<std::size_t>{0});
+}
+
 TEST(FrameView, AnEmptySceneHasACamera) {
     const ViewCamera camera = frameView({}, NamedView::iso, 200, 100);
     EXPECT_TRUE(camera.position.allFinite());
