@@ -42,7 +42,7 @@ CompactList::CompactList(const QString& emptyText, QWidget* parent)
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    tree_->setTextElideMode(Qt::ElideMiddle);
+    tree_->setTextElideMode(Qt::ElideRight);
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setMinimumSectionSize(20);
     tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);

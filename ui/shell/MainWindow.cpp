@@ -93,7 +93,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     applyTheme();
     setObjectName("main-window");
     setAcceptDrops(true);
-    setMinimumSize(1160, 640);
+    setMinimumSize(1260, 680);
     resize(1400, 875);
     d_ = std::make_unique<Private>(*this, makeSurface, std::move(renderer), std::move(printer),
                                    std::move(jobs));

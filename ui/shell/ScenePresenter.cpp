@@ -4,6 +4,7 @@
 
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
+#include "core/scene/PickFrame.h"
 #include "ui/document/Document.h"
 #include "ui/document/Presentation.h"
 #include "ui/document/Selection.h"
@@ -29,6 +30,17 @@ std::vector<ViewMark> marksOf(const SceneState& scene, const MeasuredScene& meas
     return marks;
 }
 
+/// A scan that is not registered yet lies in a frame of its own, perhaps far away: it takes no part in
+/// framing while another layer has its place.
+ViewDescription placedOnly(const SceneState& scene, const ViewDescription& described) {
+    ViewDescription placed = described;
+    for (ViewLayer& shown : placed.layers) {
+        const Layer* layer = scene.layer(shown.id);
+        shown.visible = shown.visible && layer && isPlaced(scene, *layer);
+    }
+    return bounds(placed).empty() ? described : placed;
+}
+
 }  // namespace
 
 ScenePresenter::ScenePresenter(Document& document, Selection& selection, Presentation& presentation,
@@ -46,7 +58,10 @@ ScenePresenter::ScenePresenter(Document& document, Selection& selection, Present
 }
 
 void ScenePresenter::showNamedView(NamedView view) {
-    view_.showNamedView(view);
+    const ViewDescription& described = view_.description();
+    if (bounds(described).empty()) return;
+    view_.setCamera(frameView(placedOnly(document_.state(), described), view,
+                              std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height())));
 }
 
 void ScenePresenter::refresh() {
@@ -84,8 +99,9 @@ void ScenePresenter::show(ViewDescription described) {
     }
     const bool frame = frameAll_ && !bounds(described).empty();
     if (frame) {
-        described.camera = frameView(described, NamedView::perspective, std::max(1, view_.widget()->width()),
-                                     std::max(1, view_.widget()->height()));
+        described.camera =
+            frameView(placedOnly(document_.state(), described), NamedView::perspective,
+                      std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height()));
         frameAll_ = false;
     } else {
         described.camera = view_.camera();

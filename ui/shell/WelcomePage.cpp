@@ -73,7 +73,7 @@ void WelcomePage::fillRecent() {
     }
     const QStringList paths = recent_.paths();
     if (paths.isEmpty()) return;
-    list_->addWidget(text(tr("Open lately"), "heading"));
+    list_->addWidget(text(tr("Recent"), "heading"));
     for (const QString& path : paths.mid(0, 5)) {
         const QFileInfo file(path);
         auto* link = new QPushButton(file.fileName() + "    " + file.dir().dirName());

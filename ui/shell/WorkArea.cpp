@@ -47,7 +47,7 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     splitter->setStretchFactor(0, 0);
     splitter->setStretchFactor(1, 1);
     splitter->setStretchFactor(2, 0);
-    splitter->setSizes({220, 776, 404});
+    splitter->setSizes({240, 742, 418});
     column->addWidget(splitter, 1);
 }
 

@@ -110,6 +110,18 @@ TEST_F(Workstation, ACheckBoxHidesALayerAndUndoShowsIt) {
     EXPECT_EQ(layers->topLevelItem(0)->checkState(0), Qt::Checked);
 }
 
+TEST_F(Workstation, AFarUnregisteredScanDoesNotMakeTheSceneSmall) {
+    std::ofstream far(folder / "far.xyz");
+    for (int i = 0; i < 100; ++i) far << 480000 + i % 10 << ' ' << 4370000 + i / 10 << " 30\n";
+    far.close();
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    ASSERT_TRUE(driver->window().openFiles({scans.target, folder / "far.xyz"}));
+    for (const NamedView view : {NamedView::perspective, NamedView::top}) {
+        driver->window().showNamedView(view);
+        EXPECT_LT(driver->window().view().camera().position.norm(), 200);
+    }
+}
+
 TEST_F(Workstation, ThreeClickedPairsAndATapeMakeAMeasurement) {
     auto driver = startLoaded(false);
     driver->window().showNamedView(NamedView::top);
