@@ -39,25 +39,26 @@ std::vector<Eigen::Vector3d> ring(const ViewMark& mark) {
     return directions;
 }
 
-bool seesBothEnds(std::span<const PickLayer> layers, const ViewCamera& camera, const ViewMark& mark) {
+int endsSeen(std::span<const PickLayer> layers, const ViewCamera& camera, const ViewMark& mark) {
+    int seen = 0;
     for (const Eigen::Vector3d& end : {mark.a, mark.b}) {
         const auto pixel = camera.project(end);
-        if (!pixel) return false;
-        const auto pick = pickPoint(layers, camera, pixel->pixel);
-        if (!pick) return false;
+        const auto pick = pixel ? pickPoint(layers, camera, pixel->pixel) : std::nullopt;
+        if (!pick) continue;
         // As far off as the picking itself may be, and the scatter of the repeats.
         const double tolerance = 10 * camera.metresPerPixel(pixel->depth_m) + 3 * pick->localSpacing_m;
-        if ((pick->world - end).norm() > tolerance) return false;
+        if ((pick->world - end).norm() <= tolerance) ++seen;
     }
-    return true;
+    return seen;
 }
 
 }  // namespace
 
-void cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vector3d& centre,
-              double radius_m) {
+bool cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vector3d& centre, double radius_m,
+              double ceiling_m) {
     std::vector<Octree::Neighbour> found;
     std::vector<std::uint32_t> kept;
+    bool leftOut = false;
     for (ViewLayer& shown : view.layers) {
         const Layer* layer = scene.layer(shown.id);
         if (!layer || !layer->data || !layer->data->octree || shown.geometry->isMesh()) continue;
@@ -66,11 +67,15 @@ void cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vecto
         layer->data->octree->radiusSearch(offset.cast<float>(),
                                           static_cast<float>(radius_m / shown.worldFromLayer.scale), found);
         kept.clear();
-        for (const auto& neighbour : found) kept.push_back(neighbour.point);
+        for (const auto& neighbour : found)
+            if ((shown.worldFromLayer * cloud.point(neighbour.point)).z() <= ceiling_m)
+                kept.push_back(neighbour.point);
+        leftOut = leftOut || kept.size() < found.size();
         shown.geometry = std::make_shared<const TriangleMesh>(TriangleMesh{cloud.select(kept), {}});
         shown.residual_m = nullptr;
     }
     std::erase_if(view.layers, [](const ViewLayer& layer) { return layer.geometry->vertices.empty(); });
+    return leftOut;
 }
 
 ViewCamera cameraAround(const Eigen::Vector3d& centre, double radius_m, const Eigen::Vector3d& direction) {
@@ -82,25 +87,31 @@ ViewCamera cameraAround(const Eigen::Vector3d& centre, double radius_m, const Ei
     return camera;
 }
 
-Eigen::Vector3d closeUpDirection(const SceneState& scene, const MeasuredLength& length,
-                                 const ViewMark& mark) {
+Eigen::Vector3d closeUpDirection(const ViewDescription& view, const SceneState& scene,
+                                 const MeasuredLength& length, const ViewMark& mark) {
+    std::vector<Octree> octrees;
     std::vector<PickLayer> layers;
-    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        const Layer& layer = scene.layers[i];
-        const bool measured =
-            std::find(length.layers.begin(), length.layers.end(), layer.id) != length.layers.end();
-        if (measured && layer.data)
-            layers.push_back(
-                {static_cast<std::uint32_t>(i), layer.data->octree.get(), sceneFromLayer(layer)});
+    octrees.reserve(view.layers.size());  // the layers point at them
+    for (const ViewLayer& shown : view.layers) {
+        if (std::find(length.layers.begin(), length.layers.end(), shown.id) == length.layers.end()) continue;
+        octrees.emplace_back(std::shared_ptr<const PointCloud>(shown.geometry, &shown.geometry->vertices));
+        layers.push_back({static_cast<std::uint32_t>(layers.size()), &octrees.back(), shown.worldFromLayer});
     }
     auto candidates = aimedDirections(scene, length);
     const auto others = ring(mark);
     candidates.insert(candidates.end(), others.begin(), others.end());
     const Eigen::Vector3d middle = 0.5 * (mark.a + mark.b);
     const double radius = 0.6 * (mark.b - mark.a).norm() + 0.05;
-    for (const Eigen::Vector3d& direction : candidates)
-        if (seesBothEnds(layers, cameraAround(middle, radius, direction), mark)) return direction;
-    return candidates.front();
+    Eigen::Vector3d best = candidates.front();
+    int most = 0;
+    for (const Eigen::Vector3d& direction : candidates) {
+        const int seen = endsSeen(layers, cameraAround(middle, radius, direction), mark);
+        if (seen <= most) continue;
+        best = direction;
+        most = seen;
+        if (most == 2) break;
+    }
+    return best;
 }
 
 }  // namespace vestige

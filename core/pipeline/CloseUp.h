@@ -8,15 +8,19 @@
 
 namespace vestige {
 
-/// The view without the points further than `radius_m` from `centre` (world); meshes stay whole. For pictures
-/// that would not show them anyway.
-void cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vector3d& centre, double radius_m);
+/// The view without the points further than `radius_m` from `centre` (world), which its picture would not
+/// show anyway, and without what hangs higher than `ceiling_m` (world z): tree crowns over a measured object.
+/// Meshes stay whole. True when a point was left out for its height.
+bool cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vector3d& centre, double radius_m,
+              double ceiling_m);
 
 /// A perspective camera that sees the sphere whole, looking along `direction`, z up (y up when looking down).
 ViewCamera cameraAround(const Eigen::Vector3d& centre, double radius_m, const Eigen::Vector3d& direction);
 
-/// The direction to look at a measured pair from: the first of the recorded aim's own, and of a ring of
-/// candidates most nearly square to the pair, from which picking at both ends finds them unhidden.
-Eigen::Vector3d closeUpDirection(const SceneState& scene, const MeasuredLength& length, const ViewMark& mark);
+/// The direction to look at a measured pair from in `view` (cropped): the first of the recorded aim's own,
+/// and of a ring of candidates most nearly square to the pair, from which picking in the measured layers
+/// finds both ends unhidden; else one that shows one end.
+Eigen::Vector3d closeUpDirection(const ViewDescription& view, const SceneState& scene,
+                                 const MeasuredLength& length, const ViewMark& mark);
 
 }  // namespace vestige

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "core/pipeline/CloseUp.h"
 #include "core/pipeline/DescribeView.h"
@@ -14,6 +15,31 @@ namespace {
 
 constexpr int kWidth = 1400;
 constexpr int kHeight = 900;
+/// Those that stand side by side in the report have fewer pixels, so that their lettering is larger there.
+constexpr int kHalfWidth = 1050;
+constexpr int kHalfHeight = 675;
+
+/// What a caption adds when the view was cropped in height.
+std::string heightNote(bool leftOut) {
+    return leftOut ? "; what hangs above is left out" : "";
+}
+
+/// How far above the ends of a length its object may reach: a roof over the sills of a car, little over a
+/// box.
+double clearance(const ViewMark& mark) {
+    return std::clamp(2 * (mark.b - mark.a).norm(), 0.5, 1.0);
+}
+
+double top(const ViewMark& mark) {
+    return std::max(mark.a.z(), mark.b.z());
+}
+
+/// World bounds of the points themselves; those of a turned box would be larger.
+BoundingBox placedBounds(const PointCloud& cloud, const Similarity& worldFromLayer) {
+    BoundingBox box;
+    for (std::size_t i = 0; i < cloud.size(); ++i) box.add(worldFromLayer * cloud.point(i));
+    return box;
+}
 
 /// A name as part of a file's: letters, digits and single dashes.
 std::string slug(const std::string& name) {
@@ -73,8 +99,9 @@ class Planner {
     void add(const std::string& name, ReportPicture::Kind kind, const std::string& subject,
              const std::string& caption, ViewDescription view) {
         view.title = caption;
-        view.camera.width_px = kWidth;
-        view.camera.height_px = kHeight;
+        const bool whole = kind == ReportPicture::Kind::overview;
+        view.camera.width_px = whole ? kWidth : kHalfWidth;
+        view.camera.height_px = whole ? kHeight : kHalfHeight;
         pictures_.push_back({"screenshots/" + name + ".png", kind, subject, caption, std::move(view)});
     }
 
@@ -94,32 +121,35 @@ class Planner {
         ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
         keepLayers(view, placedLayers(scene_));
         BoundingBox box;
+        double ceiling = -std::numeric_limits<double>::infinity();
         for (const MeasuredLength& length : measured_.lengths) {
             const auto mark = measurementMark(scene_, length);
             if (!mark || !onPlacedLayers(scene_, length)) continue;
             box.add(mark->a);
             box.add(mark->b);
+            ceiling = std::max(ceiling, top(*mark) + clearance(*mark));
             view.marks.push_back(*mark);
         }
         if (box.empty()) return;
         const double radius = 0.5 * box.diagonal() + 1;
-        cropView(view, scene_, box.centre(), 4 * radius);
+        const bool leftOut = cropView(view, scene_, box.centre(), 4 * radius, ceiling);
         view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.6});
-        add("overview-objects", ReportPicture::Kind::overview, {}, "The measured objects, coloured by scan",
-            view);
+        add("overview-objects", ReportPicture::Kind::overview, {},
+            "The measured objects, coloured by scan" + heightNote(leftOut), view);
     }
 
     void registration(const Layer& layer) {
+        const BoundingBox box = placedBounds(*layer.data->points, sceneFromLayer(layer));
         for (const bool before : {true, false}) {
             ViewDescription view = describeView(scene_, ColorMode::source, Overlay::registration, before);
             keepLayers(view, {scene_.target, layer.id});
-            const BoundingBox box = layer.data->points->bounds().transformed(sceneFromLayer(layer));
             const double radius = 0.5 * box.diagonal();
-            cropView(view, scene_, box.centre(), 4 * radius);
+            const bool leftOut = cropView(view, scene_, box.centre(), 4 * radius, box.max.z() + 0.5);
             view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.5});
             add("registration-" + slug(layer.id) + (before ? "-before" : "-after"),
                 before ? ReportPicture::Kind::before : ReportPicture::Kind::after, layer.id,
-                layer.name + (before ? " at its first pose" : " as registered") + ", over the global cloud",
+                layer.name + (before ? " at its first pose" : " as registered") + ", over the global cloud" +
+                    heightNote(leftOut),
                 std::move(view));
         }
     }
@@ -144,13 +174,14 @@ class Planner {
             keepLayers(view, length.layers);
         const Eigen::Vector3d middle = 0.5 * (mark.a + mark.b);
         const double radius = 0.75 * (mark.b - mark.a).norm() + 0.05;
-        cropView(view, scene_, middle, 6 * radius);
-        view.camera = cameraAround(middle, radius, closeUpDirection(scene_, length, mark));
+        const bool leftOut = cropView(view, scene_, middle, 4 * radius, top(mark) + clearance(mark));
+        view.camera = cameraAround(middle, radius, closeUpDirection(view, scene_, length, mark));
         view.pointSize_px = 3;
         view.marks = {mark};
         view.marks.front().highlighted = true;
         add("length-" + twoDigits(number) + "-" + slug(length.object), ReportPicture::Kind::closeUp,
-            length.object, length.object + ", by " + length.method, std::move(view));
+            length.object, length.object + ", by " + length.method + ": " + mark.label + heightNote(leftOut),
+            std::move(view));
     }
 
     SceneState scene_;

@@ -101,7 +101,7 @@ Report accuracyReport(const std::vector<MethodAccuracy>& methods, const std::str
     Report report;
     report.title = "Accuracy report";
     report.subtitle = "Measured lengths against the tape: " + tableName;
-    report.date = date;
+    report.date = readableDate(date);
     report.software = std::string("Vestige ") + kVersion;
     report.sections.push_back({"Accuracy against the tape", accuracyBlocks(methods)});
     return report;

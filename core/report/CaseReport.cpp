@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/Version.h"
+#include "core/report/Wording.h"
 
 namespace vestige {
 
@@ -16,7 +17,7 @@ Report caseReport(const ReportInput& input) {
     report.subtitle = "Digital reconstruction of a road-accident scene from laser scans";
     report.caseName = input.scene.name;
     report.operatorName = input.scene.operatorName;
-    report.date = input.date;
+    report.date = readableDate(input.date);
     report.software = std::string("Vestige ") + kVersion;
     for (const auto& make : sections)
         if (Section section = make(input); !section.blocks.empty())

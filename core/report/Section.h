@@ -52,7 +52,7 @@ struct Report {
     std::string subtitle;
     std::string caseName;
     std::string operatorName;
-    std::string date;  ///< ISO 8601, local to the run
+    std::string date;  ///< as people read it: readableDate()
     std::string software;
     std::vector<Section> sections;
 };

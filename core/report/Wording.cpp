@@ -1,7 +1,9 @@
 #include "core/report/Wording.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <regex>
 
 #include "core/base/Numbers.h"
 
@@ -68,6 +70,20 @@ std::string duration(double seconds) {
     const auto whole = static_cast<std::int64_t>(std::lround(seconds));
     const std::string rest = std::to_string(whole % 60);
     return std::to_string(whole / 60) + " min " + (rest.size() < 2 ? "0" : "") + rest + " s";
+}
+
+std::string readableDate(const std::string& iso) {
+    constexpr std::array kMonths{"January", "February", "March",     "April",   "May",      "June",
+                                 "July",    "August",   "September", "October", "November", "December"};
+    static const std::regex form(R"((\d{4})-(\d{2})-(\d{2})(?:T(\d{2}:\d{2})(?::\d{2}(?:\.\d+)?)?Z)?)");
+    std::smatch part;
+    if (!std::regex_match(iso, part, form)) return iso;
+    const auto number = [&](std::size_t i) { return static_cast<std::size_t>(std::stoul(part[i].str())); };
+    const std::size_t month = number(2);
+    if (month < 1 || month > kMonths.size()) return iso;
+    std::string text = std::to_string(number(3)) + " " + kMonths[month - 1] + " " + part[1].str();
+    if (part[4].matched) text += ", " + part[4].str() + " UTC";
+    return text;
 }
 
 std::string minutes(double seconds) {

@@ -27,6 +27,9 @@ std::string howMany(std::size_t count, const std::string& noun);
 std::string orDash(const std::optional<std::string>& text);
 /// "2 min 05 s", "8.3 s"
 std::string duration(double seconds);
+/// "2026-11-22T08:07:57Z" -> "22 November 2026, 08:07 UTC"; "2026-11-22" -> "22 November 2026". What is not
+/// such a date stays as it is.
+std::string readableDate(const std::string& iso);
 /// 125 -> "2.08"
 std::string minutes(double seconds);
 

@@ -25,14 +25,15 @@ std::string_view defaultMethod(LayerRole role) {
 }
 
 std::array<std::uint8_t, 3> defaultTint(std::size_t place) {
-    // Okabe and Ito (2008), without black, the target's sky blue first.
-    static constexpr std::array<std::array<std::uint8_t, 3>, 7> kPalette{{{86, 180, 233},
+    // A calm grey-blue for the first cloud, which is everywhere, then Okabe and Ito (2008) without black.
+    static constexpr std::array<std::array<std::uint8_t, 3>, 8> kPalette{{{160, 180, 200},
                                                                           {230, 159, 0},
                                                                           {0, 158, 115},
                                                                           {204, 121, 167},
                                                                           {240, 228, 66},
                                                                           {0, 114, 178},
-                                                                          {213, 94, 0}}};
+                                                                          {213, 94, 0},
+                                                                          {86, 180, 233}}};
     return kPalette[place % kPalette.size()];
 }
 

@@ -71,6 +71,9 @@ struct PlacedPicture {
     double height;
 };
 
+/// The finest that print shows of a picture; beyond it pixels only make the file large.
+constexpr double kPicturePerInch = 220;
+
 PlacedPicture load(const PageFlow& flow, const Picture& picture, double width, const QFont& captionFont) {
     QImage read(QString::fromStdString(picture.png.string()));
     if (read.isNull())
@@ -89,8 +92,23 @@ PlacedPicture load(const PageFlow& flow, const Picture& picture, double width, c
         shown *= limit / height;
         height = limit;
     }
+    const int finest = static_cast<int>(shown / kDotsPerInch * kPicturePerInch);
+    if (opaque.width() > finest) opaque = opaque.scaledToWidth(finest, Qt::SmoothTransformation);
     return {opaque.convertToFormat(QImage::Format_RGB888), wrapText(qt(picture.caption), captionFont, width),
             shown, height};
+}
+
+/// Pictures that would leave much of a page empty because they only just do not fit become smaller, at most
+/// to two thirds.
+void fitToPage(const PageFlow& flow, std::vector<PlacedPicture>& pictures, double captionHeight) {
+    double tallest = 0;
+    for (const PlacedPicture& picture : pictures) tallest = std::max(tallest, picture.height);
+    const double factor = (flow.remaining() - captionHeight) / tallest;
+    if (factor >= 1 || factor < 0.67) return;
+    for (PlacedPicture& picture : pictures) {
+        picture.width *= factor;
+        picture.height *= factor;
+    }
 }
 
 void layoutPictures(PageFlow& flow, const std::vector<const Picture*>& row) {
@@ -101,12 +119,16 @@ void layoutPictures(PageFlow& flow, const std::vector<const Picture*>& row) {
     const bool whole = row.size() == 1 && row.front()->width > 0.75;
     const double width = whole ? flow.width() : (flow.width() - gap) / 2;
     auto pictures = std::make_shared<std::vector<PlacedPicture>>();
-    double height = 0;
+    double captionHeight = 0;
     for (const Picture* picture : row) {
         pictures->push_back(load(flow, *picture, width, captionFont));
-        height = std::max(height, pictures->back().height + pictures->back().caption.size() * line);
+        captionHeight = std::max(captionHeight, pictures->back().caption.size() * line);
     }
-    flow.place(height + dotsFromMm(1.6), [=](QPainter& painter, const QPointF& at) {
+    captionHeight += dotsFromMm(1.6);
+    fitToPage(flow, *pictures, captionHeight);
+    double height = 0;
+    for (const PlacedPicture& picture : *pictures) height = std::max(height, picture.height);
+    flow.place(height + captionHeight, [=](QPainter& painter, const QPointF& at) {
         double x = at.x();
         for (const PlacedPicture& picture : *pictures) {
             painter.drawImage(QRectF(x, at.y(), picture.width, picture.height), picture.image);

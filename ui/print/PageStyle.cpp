@@ -11,8 +11,10 @@ namespace vestige {
 namespace {
 
 QString chooseFamily() {
+    // Not Inter, which the windows use: its contextual alternates put glyphs into the file that have no
+    // character, so that brackets, hyphens and colons cannot be searched or copied.
     const QStringList families = QFontDatabase().families();
-    for (const char* family : {"Inter", "DejaVu Sans"})
+    for (const char* family : {"Liberation Sans", "DejaVu Sans"})
         if (families.contains(QString::fromLatin1(family))) return QString::fromLatin1(family);
     return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
 }

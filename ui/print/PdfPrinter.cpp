@@ -56,7 +56,6 @@ Result<QByteArray> set(const Report& report, const JobControl& control) {
     writer.setCreator(QString::fromStdString(report.software));
     QPainter painter;
     if (!painter.begin(&writer)) return fail(ErrorCode::output, "the PDF cannot be begun", "report");
-    painter.setRenderHint(QPainter::LosslessImageRendering);
     for (std::size_t page = 0; page < flow.pageCount(); ++page) {
         if (control.cancelled()) return fail(cancelledError());
         control.progress(static_cast<double>(page) / static_cast<double>(flow.pageCount()), "report");

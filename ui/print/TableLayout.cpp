@@ -137,6 +137,7 @@ class TablePlacer {
     }
 
     void place() {
+        keepShortOnesWhole();
         bool first = true;
         for (std::size_t r = 0; r < table_.rows.size(); ++r) {
             const bool set =
@@ -156,6 +157,16 @@ class TablePlacer {
     }
 
   private:
+    /// A short table goes to the next page as a whole when that leaves little of this page empty.
+    void keepShortOnesWhole() {
+        if (table_.rows.size() > 8 || flow_.remaining() > flow_.pageHeight() / 4) return;
+        double height = rowHeight(head_, shape_) + 2 * shape_.line + dotsFromMm(1);
+        for (const auto& texts : table_.rows)
+            for (const Row& row : wrapRow(texts, shape_, shape_.font))
+                height += rowHeight(row, shape_) + dotsFromMm(0.12);
+        flow_.keepTogether(height);
+    }
+
     void placeHead(bool first, double nextRow) {
         const QFont captionFont = shape_.style.font(8.2, QFont::DemiBold);
         const QFontMetricsF metrics(captionFont);

@@ -41,5 +41,12 @@ TEST(Wording, TellsDurations) {
     EXPECT_EQ(minutes(125), "2.08");
 }
 
+TEST(Wording, SaysADateAsPeopleReadIt) {
+    EXPECT_EQ(readableDate("2026-11-22T08:07:57Z"), "22 November 2026, 08:07 UTC");
+    EXPECT_EQ(readableDate("2026-03-05"), "5 March 2026");
+    EXPECT_EQ(readableDate("2026-13-05"), "2026-13-05");
+    EXPECT_EQ(readableDate("yesterday"), "yesterday");
+}
+
 }  // namespace
 }  // namespace vestige

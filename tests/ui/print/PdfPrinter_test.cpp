@@ -1,6 +1,7 @@
 #include "ui/print/PdfPrinter.h"
 
 #include <QImage>
+#include <QProcess>
 #include <QRegularExpression>
 #include <fstream>
 
@@ -97,6 +98,67 @@ TEST_F(PdfPrinting, EmbedsEveryFont) {
     EXPECT_GE(fonts, 2);
     EXPECT_EQ(countIn(QRegularExpression("/FontFile[23]?\\s+\\d+ 0 R")), fonts);
     EXPECT_EQ(countIn(QRegularExpression("/BaseFont\\s*/(Helvetica|Times|Courier)")), 0);
+}
+
+TEST_F(PdfPrinting, GivesItsTextToWhoeverSearchesOrCopies) {
+    const std::string sentence = "It was 4.51 m (RE) on 2026-11-22 at 08:07: +1.1 % of the first, x - y.";
+    Report report = reportOfEveryBlock(translucentPng(folder), 3);
+    report.sections.front().blocks.insert(report.sections.front().blocks.begin(), Paragraph{sentence});
+    ASSERT_TRUE(PdfPrinter().printPdf(report, pdf, {}));
+    QProcess reader;
+    reader.start("pdftotext", {"-layout", QString::fromStdString(pdf.string()), "-"});
+    if (!reader.waitForStarted()) GTEST_SKIP() << "pdftotext is not installed";
+    ASSERT_TRUE(reader.waitForFinished());
+    const std::string text = reader.readAllStandardOutput().toStdString();
+    for (const char* part :
+         {sentence.c_str(), "SHA-256", "Right rear-view mirror of vehicle 1", "0.2143", "+2.0"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
+}
+
+TEST_F(PdfPrinting, HoldsPicturesNoFinerThanPrintShows) {
+    QImage noise(1400, 900, QImage::Format_RGB32);
+    std::uint32_t state = 1;
+    for (int y = 0; y < noise.height(); ++y)
+        for (int x = 0; x < noise.width(); ++x) {
+            state = state * 1664525u + 1013904223u;
+            noise.setPixel(x, y, qRgb(state >> 24, state >> 16 & 255, 90));
+        }
+    const auto png = folder / "noise.png";
+    ASSERT_TRUE(noise.save(QString::fromStdString(png.string())));
+    Report report = reportOfEveryBlock(png, 3);
+    ASSERT_TRUE(PdfPrinter().printPdf(report, pdf, {}));
+    objects = readPdf(pdf);
+    int widest = 0;
+    const QRegularExpression width("/Width (\\d+)");
+    for (const PdfObject& object : objects) {
+        const QString dictionary = QString::fromLatin1(object.dictionary);
+        if (!dictionary.contains(QRegularExpression("/Subtype\\s*/Image"))) continue;
+        EXPECT_TRUE(dictionary.contains("/DCTDecode")) << object.dictionary.constData();
+        widest = std::max(widest, width.match(dictionary).captured(1).toInt());
+    }
+    EXPECT_GT(widest, 1000);
+    EXPECT_LE(widest, 1400);
+    // Two of the three stand side by side, with half as many pixels each way.
+    EXPECT_LT(std::filesystem::file_size(pdf), std::filesystem::file_size(png));
+}
+
+TEST_F(PdfPrinting, MakesAPictureSmallerRatherThanLeaveAPageHalfEmpty) {
+    const auto pages = [&](int paragraphs) {
+        Report report = reportOfEveryBlock(translucentPng(folder), 3);
+        std::vector<Block> blocks;
+        for (int i = 0; i < paragraphs; ++i) blocks.emplace_back(Paragraph{"One line."});
+        blocks.emplace_back(Picture{folder / "view.png", "The whole scene", 1});
+        report.sections = {{"Pictures", std::move(blocks)}};
+        EXPECT_TRUE(PdfPrinter().printPdf(report, pdf, {}));
+        objects = readPdf(pdf);
+        return countIn(QRegularExpression("/Type\\s*/Page\\b"));
+    };
+    const double line = 6.6;     // mm of a paragraph of one line, with the gap below
+    const double picture = 108;  // mm of its wished height
+    const int fits = static_cast<int>((246 - 60 - picture) / line);
+    EXPECT_EQ(pages(fits - 1), 1);
+    EXPECT_EQ(pages(fits + 3), 1);
+    EXPECT_EQ(pages(fits + 9), 2);
 }
 
 TEST_F(PdfPrinting, SaysThatItIsPdfA1bInSrgb) {
