@@ -28,6 +28,7 @@ struct Options {
 /// Where the source starts from, and what the user should know about it.
 struct Start {
     Similarity pose;
+    std::optional<double> error_m;  ///< of picked pairs
     std::vector<std::string> notes;
 };
 
@@ -60,6 +61,7 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, cons
     const Result<PairAlignment> alignment = alignPairs(*pairs, scale);
     if (!alignment) return fail(alignment.error());
     start.pose = alignment->targetFromSource;
+    start.error_m = alignment->rms_m;
     std::string residuals;
     for (const double residual : alignment->residuals_m) residuals += " " + fixedText(residual, 4);
     start.notes.push_back("First pose from " + std::to_string(pairs->size()) +
@@ -104,8 +106,12 @@ int runRegister(Session& session, const Options& options) {
     if (!source) return session.failed(source.error());
     const Result<Start> start = startFrom(options, target->geometry, source->geometry);
     if (!start) return session.failed(start.error());
+    ParameterSet parameters = options.parameters;
+    if (start->error_m && parameters.isDefault("start_error_m"))
+        if (const Status set = parameters.set("start_error_m", *start->error_m); !set)
+            return session.failed(set.error());
     Result<RegistrationResult> result = attemptRegistration(target->geometry, source->geometry, start->pose,
-                                                            options.parameters, control.sub(0.6, 0.95));
+                                                            parameters, control.sub(0.6, 0.95));
     if (!result) return session.failed(result.error());
     result->notes.insert(result->notes.begin(), start->notes.begin(), start->notes.end());
     if (!result->trustworthy()) {

@@ -26,8 +26,8 @@ MortonGrid::MortonGrid(std::span<const Eigen::Vector3f> offsets) {
         most = most.cwiseMax(offset);
     }
     least_ = least.cast<double>();
-    const double side = (most.cast<double>() - least_).maxCoeff();
-    stepsPerUnit_ = side > 0 ? kSteps / side : 0;
+    side_ = (most.cast<double>() - least_).maxCoeff();
+    stepsPerUnit_ = side_ > 0 ? kSteps / side_ : 0;
 }
 
 std::uint64_t MortonGrid::code(const Eigen::Vector3f& offset) const {

@@ -18,8 +18,12 @@ class MortonGrid {
     /// levels of an octree, the coarsest first.
     std::uint64_t code(const Eigen::Vector3f& offset) const;
 
+    /// Length of the cube's side.
+    double side() const { return side_; }
+
   private:
     Eigen::Vector3d least_;
+    double side_ = 0;
     double stepsPerUnit_ = 0;
 };
 

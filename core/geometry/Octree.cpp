@@ -35,8 +35,9 @@ struct PendingChild {
 /// ask for their own.
 class Divider {
   public:
-    Divider(const std::vector<Eigen::Vector3f>& offsets, std::vector<Code>& sorted, std::uint32_t leafSize)
-        : offsets_(offsets), sorted_(sorted), leafSize_(leafSize), finest_(kFinest * longestSide(sorted)) {}
+    Divider(const std::vector<Eigen::Vector3f>& offsets, std::vector<Code>& sorted, std::uint32_t leafSize,
+            double finest)
+        : offsets_(offsets), sorted_(sorted), leafSize_(leafSize), finest_(finest) {}
 
     /// The non-empty children of a range, of the first level of the tree at which it divides. None for a
     /// leaf.
@@ -123,7 +124,7 @@ void Octree::build(std::uint32_t leafSize) {
         node.end = end;
     };
 
-    Divider divider(offsets, sorted, leafSize);
+    Divider divider(offsets, sorted, leafSize, kFinest * grid.side());
     // Level by level, each level's children found in parallel and appended in order.
     addNode(0, static_cast<std::uint32_t>(sorted.size()));
     for (std::size_t level = 0; level < nodes_.size();) {

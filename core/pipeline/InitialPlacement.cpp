@@ -46,7 +46,8 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
     UnitChoice choice = chooseUnit(layer, target, metric);
     const auto alignment = alignPairs(metric, metresPer(choice.unit));
     if (!alignment) return fail(alignment.error());
-    InitialPlacement placement{alignment->targetFromSource, std::nullopt, std::move(choice.notes)};
+    InitialPlacement placement{alignment->targetFromSource, std::nullopt, alignment->rms_m,
+                               std::move(choice.notes)};
     const double worst = *std::max_element(alignment->residuals_m.begin(), alignment->residuals_m.end());
     placement.reach_m = kPickReach_m + 3 * worst;
     placement.notes.push_back(describePairs(*alignment));
@@ -63,10 +64,10 @@ Result<InitialPlacement> initialPlacement(const SceneState& scene, const Layer& 
                     "the first pose \"auto\" cannot be found: this version has no automatic search",
                     "layer " + layer.id, "give \"init\" as picked pairs or as a pose");
     if (const auto* pose = std::get_if<InitPose>(&layer.init))
-        return InitialPlacement{pose->targetFromSource, kPickReach_m, {}};
+        return InitialPlacement{pose->targetFromSource, kPickReach_m, std::nullopt, {}};
     UnitChoice choice = chooseUnit(layer, target, {});
     return InitialPlacement{
-        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::move(choice.notes)};
+        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::nullopt, std::move(choice.notes)};
 }
 
 }  // namespace vestige

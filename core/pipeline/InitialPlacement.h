@@ -14,6 +14,7 @@ struct InitialPlacement {
     Similarity targetFromSource;
     /// How far off it may be, metres; nothing when nothing is known (identity).
     std::optional<double> reach_m;
+    std::optional<double> error_m;   ///< residual of picked pairs, root mean square
     std::vector<std::string> notes;  ///< unit recognised, residual of each picked pair
 };
 

@@ -43,6 +43,14 @@ PointCloud cropped(const PointCloud& cloud, double metresPerUnit, const Bounding
     return kept.size() == cloud.size() ? cloud : cloud.select(kept);
 }
 
+/// The target is thinned to no less than this share of the source's extent: the working voxel of a site (0.2
+/// m) would leave no surface of a car's front to register to.
+constexpr double kVoxelsPerExtent = 1.0 / 64;
+
+double metres(const BoundingBox& sourceBounds, const Similarity& targetFromSource) {
+    return targetFromSource.scale * sourceBounds.diagonal();
+}
+
 /// The target in metres, thinned and cleaned as the case says; a mesh stays as it is.
 Result<TriangleMesh> preparedTarget(const SceneState& scene, const Layer& target, const Layer& source,
                                     const InitialPlacement& placement, const JobControl& control) {
@@ -61,7 +69,12 @@ Result<TriangleMesh> preparedTarget(const SceneState& scene, const Layer& target
                         "the first pose puts the scan where the target has no points", "layer " + source.id,
                         "check the picked pairs, the pose and the unit");
     }
-    auto clean = preprocess(near, scene.preprocess, unit, control);
+    ParameterSet parameters = scene.preprocess;
+    const double finest =
+        kVoxelsPerExtent * metres(source.data->points->bounds(), placement.targetFromSource);
+    if (const auto voxel = parameters.optionalReal("voxel_m"); voxel && *voxel > finest)
+        if (const Status set = parameters.set("voxel_m", finest); !set) return fail(set.error());
+    auto clean = preprocess(near, parameters, unit, control);
     if (!clean) return fail(clean.error());
     return TriangleMesh{unit == 1 ? std::move(*clean) : clean->transformed(metresFromTarget), {}};
 }
@@ -82,7 +95,7 @@ Result<PreparedRegistration> prepareRegistration(const SceneState& scene, const 
         if (!placement) return fail(placement.error());
         auto target = preparedTarget(scene, *pair->target, *pair->source, *placement, control);
         if (!target) return fail(target.error());
-        return PreparedRegistration{std::move(*target), placement->targetFromSource,
+        return PreparedRegistration{std::move(*target), placement->targetFromSource, placement->error_m,
                                     std::move(placement->notes)};
     });
 }
@@ -91,8 +104,12 @@ Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::
                                             const PreparedRegistration& prepared, const JobControl& control) {
     const auto pair = findPair(scene, layer);
     if (!pair) return fail(pair.error());
+    ParameterSet parameters = scene.registration;
+    if (prepared.error_m && parameters.isDefault("start_error_m"))
+        if (const Status set = parameters.set("start_error_m", *prepared.error_m); !set)
+            return fail(set.error());
     auto result = registerGeometry(prepared.target, *pair->source->data->geometry, prepared.initial,
-                                   scene.registration, control);
+                                   parameters, control);
     if (!result) {
         Error error = result.error();
         error.place = "layer " + layer + (error.place.empty() ? "" : ", " + error.place);

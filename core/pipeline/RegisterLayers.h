@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ bool needsRegistration(const SceneState& scene, const Layer& layer);
 struct PreparedRegistration {
     TriangleMesh
         target;  ///< metres, preprocessed; the part within reach of the scan where the first pose is given
-    Similarity initial;  ///< its scale: metres per unit of the source
+    Similarity initial;             ///< its scale: metres per unit of the source
+    std::optional<double> error_m;  ///< of the first pose, where picked pairs tell it
     std::vector<std::string> notes;
 };
 

@@ -71,12 +71,15 @@ ScoredPose meanScore(const NdtScore& score, const std::vector<NormalDistribution
 }  // namespace
 
 Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
-                                       const ImprovedNdtOptions& options, const JobControl& control) {
+                                       const ImprovedNdtOptions& given, const JobControl& control) {
+    ImprovedNdtOptions options = given;
     if (frame.target().size() < kFewestPoints)
         return fail(ErrorCode::untrustworthy, "the target has no surface near the source", {},
                     "give a first pose that lays the source on the target (--init)");
     const double finest = options.voxel_m.value_or(options.voxelFloor_m);
     const MomentPyramid pyramid(frame.target(), finest, std::max(options.voxelStart_m, finest));
+    if (options.estimateNoise)
+        options.distributions.rangeNoise_m = surfaceThickness(pyramid.at(VoxelGrid(options.voxelStart_m)));
     const Levels levels = buildLevels(pyramid, frame.target().size(), options);
     control.progress(0.4, "normal distributions");
 
@@ -85,6 +88,9 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     const std::vector<Eigen::Vector3f> finestSource = voxelCentroids(frame.source(), leaf);
     RegistrationResult result;
     result.notes = levels.notes;
+    if (options.estimateNoise)
+        result.notes.push_back("Range noise of the target taken as " +
+                               fixedText(1000 * options.distributions.rangeNoise_m, 1) + " mm");
     result.targetFromSource = initial;
     CentredSource source;
     for (std::size_t i = 0; i < levels.cells.size(); ++i) {

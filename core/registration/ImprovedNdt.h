@@ -23,6 +23,8 @@ struct ImprovedNdtOptions {
     /// Grids, shifted against each other, whose mean score the last level takes: where the faces of one grid
     /// lie would move the pose by a centimetre.
     int shiftedGrids = 4;
+    /// Takes DistributionOptions::rangeNoise_m from the target itself, at v0.
+    bool estimateNoise = false;
     DistributionOptions distributions;
     TrustRegionOptions trustRegion;
 };

@@ -101,4 +101,19 @@ NormalDistributions::NormalDistributions(std::span<const CellMoments> moments, c
     }
 }
 
+double surfaceThickness(std::span<const CellMoments> moments) {
+    std::vector<double> thickness;
+    for (const CellMoments& cell : moments) {
+        if (cell.count < kVotingPoints) continue;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cell.scatterMatrix() / (cell.count - 1.0),
+                                                                    Eigen::EigenvaluesOnly);
+        const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0);
+        if (values[1] >= kPlaneWidth * values[2]) thickness.push_back(std::sqrt(values[0]));
+    }
+    if (thickness.empty()) return 0;
+    const auto quarter = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 4);
+    std::nth_element(thickness.begin(), quarter, thickness.end());
+    return *quarter;
+}
+
 }  // namespace vestige

@@ -65,4 +65,8 @@ class NormalDistributions {
     FlatnessCount flatness_;
 };
 
+/// The thickness (standard deviation, metres) that a quarter of the voting cells stay below: what the range
+/// noise of a target looks like where its surfaces are flat. 0 when no cell votes.
+double surfaceThickness(std::span<const CellMoments> moments);
+
 }  // namespace vestige

@@ -46,6 +46,18 @@ const ParameterTable& registrationParameters() {
          1000.0,
          {},
          "Edge of the first NDT cell v_0; automatic: 4 m, less for a source smaller than that."},
+        {"start_error_m",
+         "start-error",
+         "Error of the first pose",
+         "m",
+         real,
+         std::monostate{},
+         0.0,
+         100.0,
+         {},
+         "How far the first pose is off (standard deviation): where it is known the first NDT cell needs to "
+         "be no "
+         "larger; automatic: the residual of picked pairs, unknown for other first poses."},
         {"leaf_m",
          "leaf",
          "Thinning of the source",
@@ -81,11 +93,14 @@ const ParameterTable& registrationParameters() {
          "Range noise of the target",
          "m",
          real,
-         0.0,
+         std::monostate{},
          0.0,
          10.0,
          {},
-         "Standard deviation of the target's ranges, taken off before a cell's flatness is judged."},
+         "Standard deviation of the target's ranges, taken off before a cell's flatness is judged; "
+         "automatic: "
+         "the thickness of the target's flattest quarter where the error of the first pose is known, else "
+         "0."},
         {"trust_radius_m",
          "trust-radius",
          "First trust radius",

@@ -115,6 +115,14 @@ TEST(NormalDistributions, RangeNoiseDoesNotHideAPlane) {
     EXPECT_EQ(distributions(points, 1, known).flatness().flat, 1U);
 }
 
+TEST(NormalDistributions, TheThicknessOfAPlaneIsItsNoise) {
+    for (const double noise : {0.0, 0.01, 0.03}) {
+        const auto points = plane(noise, 20000);
+        EXPECT_NEAR(surfaceThickness(gatherPoints(points, VoxelGrid(1))), noise, 0.05 * noise + 1e-6);
+    }
+    EXPECT_EQ(surfaceThickness(gatherPoints(plane(0.03, 5), VoxelGrid(1))), 0);
+}
+
 TEST(NormalDistributions, ALineIsNoPlaneAndHasNoVote) {
     EXPECT_EQ(distributions(plane(0.001, 100, 0.1), 1).flatness().cells, 0U);
     EXPECT_EQ(distributions(plane(0.001, 100), 1).flatness().cells, 1U);

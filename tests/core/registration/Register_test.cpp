@@ -63,6 +63,24 @@ TEST(Register, FindsAKnownPoseFromAMetreAndFifteenDegreesAway) {
     }
 }
 
+TEST(Register, AFitThatLeavesAKnownFirstPoseIsNotTrusted) {
+    ParameterSet parameters{registrationParameters()};
+    ASSERT_TRUE(parameters.set("start_error_m", 0.02));
+    ASSERT_TRUE(parameters.set("voxel_start_m", 4.0));
+    ASSERT_TRUE(parameters.set("voxel_m", 1.0));
+    Similarity far{street().truth, 1};
+    far.pose.linear() = Eigen::AngleAxisd(radians(20), Eigen::Vector3d::UnitZ()) * far.pose.linear();
+    const auto attempt = attemptRegistration(street().target, street().source, far, parameters);
+    ASSERT_TRUE(attempt) << attempt.error().sentence();
+    EXPECT_FALSE(attempt->trustworthy());
+    EXPECT_EQ(registerGeometry(street().target, street().source, far, parameters).error().code,
+              ErrorCode::untrustworthy);
+    const Similarity near{disturbed(street().truth, 0.02, 0.2, 5), 1};
+    const auto kept = registerGeometry(street().target, street().source, near, parameters);
+    ASSERT_TRUE(kept) << kept.error().sentence();
+    EXPECT_LT(distanceAt(kept->targetFromSource.pose, street().truth, {0, 0, 0}), 0.01);
+}
+
 TEST(Register, StaysAtTheTruth) {
     const auto result = registered(street().target, street().source, {street().truth, 1});
     ASSERT_TRUE(result);
