@@ -1,11 +1,14 @@
 #include "app/cli/WindowPicture.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QImage>
 #include <QPixmap>
 
 #include "app/offscreen/OffscreenApplication.h"
+#include "core/pipeline/RegisterLayers.h"
 #include "core/scene/CaseFile.h"
+#include "ui/document/Document.h"
 #include "ui/jobs/InlineJobRunner.h"
 #include "ui/print/PdfPrinter.h"
 #include "ui/shell/MainWindow.h"
@@ -13,6 +16,21 @@
 #include "ui/view/SceneView.h"
 
 namespace vestige::cli {
+namespace {
+
+/// An overlay shows registered layers: those that lack it are registered first, by the window's own action.
+Status registerLayers(MainWindow& window) {
+    QAction* action = window.findChild<QAction*>("register.run");
+    if (action && action->isEnabled()) action->trigger();
+    const SceneState& scene = window.document().state();
+    for (const Layer& layer : scene.layers)
+        if (needsRegistration(scene, layer) && !layer.registration)
+            return fail(ErrorCode::untrustworthy, "the layer could not be registered", "layer " + layer.id,
+                        "`vestige-cli register` says why");
+    return {};
+}
+
+}  // namespace
 
 Status drawWindow(const WindowPicture& wanted) {
     MainWindow window(offscreenSurface(), offscreenRenderer(), std::make_unique<PdfPrinter>(), nullptr,
@@ -24,6 +42,8 @@ Status drawWindow(const WindowPicture& wanted) {
     const Status opened = isCase ? window.openCase(wanted.inputs.front())
                                  : window.openFiles({wanted.inputs.begin(), wanted.inputs.end()});
     if (!opened) return opened;
+    if (wanted.overlay == Overlay::registration || wanted.overlay == Overlay::residual)
+        if (const Status registered = registerLayers(window); !registered) return registered;
     window.setOverlay(wanted.overlay);
     QApplication::processEvents();
     window.showNamedView(wanted.view);
