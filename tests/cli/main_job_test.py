@@ -134,7 +134,8 @@ class MainJob(unittest.TestCase):
         cli("reconstruct", self.sample / "case-without-handheld.json", "--out", without, "--quiet")
         lidar = lambda folder: {r["object"]: r for r in rows_of(folder / "measurements.csv") if r["method"] == "lidar"}
         full, reduced = lidar(self.out), lidar(without)
-        hidden = [name for name, row in reduced.items() if not row["measured_mean_m"]]
+        hidden = [name for name, row in reduced.items()
+                  if not row["measured_mean_m"] and full[name]["measured_mean_m"]]
         self.assertIn("Right rearview mirror", hidden)
         self.assertIn("Right door handle", hidden)
         for name in hidden:
@@ -153,7 +154,7 @@ class MainJob(unittest.TestCase):
             trace = sum(pose[4 * r + k] * exact[4 * r + k] for r in range(3) for k in range(3))
             angle = math.degrees(math.acos(min(1.0, (trace - 1) / 2)))
             self.assertLess(moved, 0.05, result["layer"])
-            self.assertLess(angle, 1.0, result["layer"])  # a third of a circle of flight shows little of the car
+            self.assertLess(angle, 2.0, result["layer"])  # a third of a circle of flight shows little of the car
 
     def test_fused_cloud_names_its_layers(self):
         head = (self.out / "fused.las").read_bytes()[:375]
