@@ -35,6 +35,8 @@ Status registerLayers(MainWindow& window) {
 Status drawWindow(const WindowPicture& wanted) {
     MainWindow window(offscreenSurface(), offscreenRenderer(), std::make_unique<PdfPrinter>(), nullptr,
                       std::make_unique<InlineJobRunner>());
+    // A picture has the size that was asked for, even below what is comfortable to work in.
+    window.setMinimumSize(1, 1);
     window.resize(wanted.width_px, wanted.height_px);
     window.show();
     QApplication::processEvents();

@@ -31,7 +31,12 @@ class JobRunner : public QObject {
                              if (control.cancelled()) return fail(cancelledError());
                              return work(control);
                          }));
-                     return std::function<void()>([result, done] { done(std::move(*result)); });
+                     return std::function<void()>([result, done, control] {
+                         // Cancelled between the end of the work and here: what the user stopped does not
+                         // happen.
+                         if (control.cancelled()) *result = fail(cancelledError());
+                         done(std::move(*result));
+                     });
                  }});
     }
 
