@@ -131,7 +131,10 @@ class Planner {
             view.marks.push_back(*mark);
         }
         if (box.empty()) return;
-        const double radius = 0.5 * box.diagonal() + 1;
+        double radius = 0;
+        for (const ViewMark& mark : view.marks)
+            radius = std::max({radius, (mark.a - box.centre()).norm(), (mark.b - box.centre()).norm()});
+        radius += 0.5;
         const bool leftOut = cropView(view, scene_, box.centre(), 4 * radius, ceiling);
         view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.6});
         add("overview-objects", ReportPicture::Kind::overview, {},
@@ -167,15 +170,22 @@ class Planner {
     }
 
     void closeUp(const MeasuredLength& length, const ViewMark& mark, std::size_t number) {
+        const bool onlyTarget = length.layers.size() == 1 && length.layers.front() == scene_.target;
         ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
-        if (onPlacedLayers(scene_, length))
+        if (onlyTarget)
+            keepLayers(view, length.layers);
+        else if (onPlacedLayers(scene_, length))
             keepLayers(view, placedLayers(scene_));
         else
             keepLayers(view, length.layers);
         const Eigen::Vector3d middle = 0.5 * (mark.a + mark.b);
         const double radius = 0.75 * (mark.b - mark.a).norm() + 0.05;
         const bool leftOut = cropView(view, scene_, middle, 4 * radius, top(mark) + clearance(mark));
-        view.camera = cameraAround(middle, radius, closeUpDirection(view, scene_, length, mark));
+        const Eigen::Vector3d direction = closeUpDirection(view, scene_, length, mark);
+        view.camera = cameraAround(middle, radius, direction);
+        // From above, a box on the road of the same cloud shows by its height; from the side a wheel by its
+        // brightness, and a scan in another cloud by its tint.
+        if (onlyTarget && direction.normalized().z() < -0.6) view.colorMode = ColorMode::height;
         view.pointSize_px = 3;
         view.marks = {mark};
         view.marks.front().highlighted = true;

@@ -14,10 +14,16 @@ constexpr int kMargin = 14;
 
 QRectF paintTitle(QPainter& painter, const ViewTheme& theme, const QString& title) {
     painter.setFont(theme.font(15, true));
-    const QRectF place(QPointF(kMargin + 2, kMargin), painter.fontMetrics().size(Qt::TextSingleLine, title));
+    const QRectF place(QPointF(kMargin + 9, kMargin + 5),
+                       painter.fontMetrics().size(Qt::TextSingleLine, title));
+    // On a panel like the legend's: white letters over pale points would not be read.
+    const QRectF panel = place.adjusted(-9, -5, 9, 5);
+    painter.setPen(QPen(theme.panelEdge, 1));
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(panel.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
     painter.setPen(theme.text);
     painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, title);
-    return place;
+    return panel;
 }
 
 }  // namespace
