@@ -9,23 +9,25 @@ bin=$here/build/release/bin
 sample=$here/build/sample
 
 if [ $# -gt 0 ]; then
-    if [[ $1 == -* ]] || "$bin/vestige-cli" --help | grep -qE "^  $1( |$)"; then
-        if [[ $1 != -* ]]; then exec "$bin/vestige-cli" "$@"; fi
-    fi
+    commands=$("$bin/vestige-cli" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]*\).*/\1/p')
+    for command in $commands; do
+        if [ "$1" = "$command" ]; then exec "$bin/vestige-cli" "$@"; fi
+    done
     exec "$bin/vestige" "$@"
 fi
 
+# The sample case is the scene under trees, with handheld scans; the open road lies beside it.
 if [ ! -e "$sample/.complete" ]; then
-    echo "making the sample case in build/sample (a few minutes)" >&2
+    echo "making the sample case in build/sample (some minutes)" >&2
     rm -rf "$sample"
+    "$bin/vestige-cli" simulate bicycle --out "$sample"
     "$bin/vestige-cli" simulate two-cars --out "$sample/two-cars"
-    "$bin/vestige-cli" simulate bicycle --out "$sample/bicycle"
     touch "$sample/.complete"
 fi
 
 if [ -n "${DISPLAY:-}" ] || [ -n "${WAYLAND_DISPLAY:-}" ]; then
-    exec "$bin/vestige" "$sample/bicycle/case.json"
+    exec "$bin/vestige" "$sample/case.json"
 fi
-for scene in two-cars bicycle; do
-    "$bin/vestige-cli" reconstruct "$sample/$scene/case.json" --out "$here/out/sample/$scene"
-done
+"$bin/vestige-cli" reconstruct "$sample/case.json" --out "$here/out/sample"
+"$bin/vestige-cli" reconstruct "$sample/two-cars/case.json" --out "$here/out/sample/two-cars"
+echo "the reports are out/sample/report.pdf and out/sample/two-cars/report.pdf" >&2
