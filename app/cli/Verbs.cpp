@@ -13,7 +13,8 @@ const std::vector<Verb>& verbs() {
          declareEvaluate},
         {"accuracy", "Measured lengths against the tape: RE, RMSE, exclusion.", declareAccuracy},
         {"reconstruct", "The main job: registers, measures and reports a case.", declareReconstruct},
-        {"screenshot", "A picture of a case, or of any clouds and meshes, without a display.", declareScreenshot},
+        {"screenshot", "A picture of a case, or of any clouds and meshes, without a display.",
+         declareScreenshot},
     };
     return all;
 }

@@ -131,7 +131,7 @@ TEST(PictureRenderer, EyeDomeLightingDarkensWhatLiesBehindAnEdge) {
 TEST(PictureRenderer, DrawsMeshesAsSurfaces) {
     PointCloudBuilder builder;
     for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(10, 0, 0),
-                                         Eigen::Vector3d(10, 10, 0), Eigen::Vector3d(0, 10, 0)})
+                                          Eigen::Vector3d(10, 10, 0), Eigen::Vector3d(0, 10, 0)})
         builder.add(kFar + corner);
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->vertices = std::move(builder).build();
