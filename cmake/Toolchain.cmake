@@ -18,6 +18,10 @@ if(VESTIGE_SANITIZE)
     add_link_options("-fsanitize=${VESTIGE_SANITIZE}")
 endif()
 
+# The instruction set that every machine we support has (docs/decisions/0006-instruction-set-floor.md); the programs check
+# it as they start. Eigen keeps the alignment of the distribution's PCL, which is built for less.
+add_compile_options(-march=x86-64-v3)
+add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=16)
 # Contracted multiply-adds would make results depend on the processor that the build targets.
 add_compile_options(-ffp-contract=off)
 # GCC 12 at -O2 drops the rounding of a double to float and back when it vectorises neighbouring statements

@@ -71,7 +71,8 @@ ScoredPose meanScore(const NdtScore& score, const std::vector<NormalDistribution
 }  // namespace
 
 Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
-                                       const ImprovedNdtOptions& given, const JobControl& control) {
+                                       const ImprovedNdtOptions& given, const JobControl& control,
+                                       const RegistrationWatch& watch) {
     ImprovedNdtOptions options = given;
     if (frame.target().size() < kFewestPoints)
         return fail(ErrorCode::untrustworthy, "the target has no surface near the source", {},
@@ -107,9 +108,22 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         const auto shifted =
             last ? shiftedLevels(pyramid, voxel, options) : std::vector<NormalDistributions>{};
         const NdtScore score(options.coarserCells ? cells : cells.last(1), source);
-        const TrustRegionOutcome outcome =
-            minimise([&](const Pose& pose) { return meanScore(score, shifted, pose); },
-                     frame.toLocal(result.targetFromSource.pose, source), source.radius, trustRegion);
+        TrustRegionWatch observe;
+        if (watch)
+            observe = [&](const TrustRegionOutcome& best, const TrustRegionTrial& trial) {
+                watch({static_cast<int>(i),
+                       static_cast<int>(levels.cells.size()),
+                       best.iterations,
+                       voxel,
+                       best.scored.score,
+                       trial.bound,
+                       trial.length,
+                       trial.taken,
+                       {frame.toWorld(best.pose, source), initial.scale}});
+            };
+        const TrustRegionOutcome outcome = minimise(
+            [&](const Pose& pose) { return meanScore(score, shifted, pose); },
+            frame.toLocal(result.targetFromSource.pose, source), source.radius, trustRegion, observe);
         result.targetFromSource.pose = frame.toWorld(outcome.pose, source);
         result.iterations += outcome.iterations;
         result.voxelSchedule_m.push_back(voxel);

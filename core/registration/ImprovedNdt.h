@@ -7,6 +7,7 @@
 #include "core/registration/NormalDistributions.h"
 #include "core/registration/RegistrationFrame.h"
 #include "core/registration/RegistrationResult.h"
+#include "core/registration/RegistrationWatch.h"
 #include "core/registration/TrustRegion.h"
 
 namespace vestige {
@@ -32,6 +33,7 @@ struct ImprovedNdtOptions {
 /// METHOD section 3 from `initial`, one pose per voxel size, each starting from the one before.
 /// ErrorCode::untrustworthy when no source point falls into a target cell or either cloud is too small.
 Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
-                                       const ImprovedNdtOptions& options, const JobControl& control);
+                                       const ImprovedNdtOptions& options, const JobControl& control,
+                                       const RegistrationWatch& watch = {});
 
 }  // namespace vestige

@@ -5,13 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/Pose.h"
+#include "core/geometry/PoseUncertainty.h"
 #include "core/registration/NormalDistributions.h"
 
 namespace vestige {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// A scored pose: S, its gradient and its Hessian by p = (t, r w), all in metres (METHOD section 3, steps 3
 /// and 4).

@@ -110,7 +110,7 @@ std::vector<std::string> reasonsAgainst(const RegistrationResult& result, double
 
 Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const TriangleMesh& source,
                                                const Similarity& initial, const ParameterSet& parameters,
-                                               const JobControl& control) {
+                                               const JobControl& control, const RegistrationWatch& watch) {
     return guarded("registration", [&]() -> Result<RegistrationResult> {
         const auto begin = std::chrono::steady_clock::now();
         const PointCloud targetPoints = pointsOf(target);
@@ -126,7 +126,7 @@ Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const
         const RegistrationFrame frame(targetPoints, sourcePoints, initial, margin);
         Result<RegistrationResult> result =
             parameters.text("method") == "improved-ndt"
-                ? improvedNdt(frame, initial, ndt, control)
+                ? improvedNdt(frame, initial, ndt, control, watch)
                 : peerMethod(frame, initial, peerOptions(parameters, radius), control);
         if (!result) return result;
         result->method = parameters.text("method");
@@ -136,6 +136,7 @@ Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const
                                      ? std::max(kMovesAllowed * *startError_m, kMovesOfRadius * radius)
                                      : std::numeric_limits<double>::infinity();
         result->reasons = reasonsAgainst(*result, movedBy(*result, sourcePoints, radius), allowed_m);
+        if (!result->reasons.empty()) result->verdict = Verdict::failed;
         result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         control.progress(1, "registration");
         return result;
@@ -144,8 +145,9 @@ Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const
 
 Result<RegistrationResult> registerGeometry(const TriangleMesh& target, const TriangleMesh& source,
                                             const Similarity& initial, const ParameterSet& parameters,
-                                            const JobControl& control) {
-    Result<RegistrationResult> result = attemptRegistration(target, source, initial, parameters, control);
+                                            const JobControl& control, const RegistrationWatch& watch) {
+    Result<RegistrationResult> result =
+        attemptRegistration(target, source, initial, parameters, control, watch);
     if (result && !result->trustworthy()) {
         Error error{ErrorCode::untrustworthy,
                     "the registration cannot be relied on",

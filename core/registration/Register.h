@@ -5,6 +5,7 @@
 #include "core/base/Result.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/registration/RegistrationResult.h"
+#include "core/registration/RegistrationWatch.h"
 
 namespace vestige {
 
@@ -16,13 +17,15 @@ const ParameterTable& registrationParameters();
 /// show what was found.
 Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const TriangleMesh& source,
                                                const Similarity& initial, const ParameterSet& parameters,
-                                               const JobControl& control = {});
+                                               const JobControl& control = {},
+                                               const RegistrationWatch& watch = {});
 
 /// Registers `source` (a cloud, or a mesh that is sampled) to `target`, starting from `initial`, whose scale
 /// is the source's metres per unit and stays fixed. The target is in metres. Bit-identical for any thread
 /// count. ErrorCode::untrustworthy when the clouds do not overlap from there or hold too few points.
 Result<RegistrationResult> registerGeometry(const TriangleMesh& target, const TriangleMesh& source,
                                             const Similarity& initial, const ParameterSet& parameters,
-                                            const JobControl& control = {});
+                                            const JobControl& control = {},
+                                            const RegistrationWatch& watch = {});
 
 }  // namespace vestige

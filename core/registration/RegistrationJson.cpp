@@ -25,10 +25,8 @@ nlohmann::json registrationJson(const RegistrationResult& result, bool withSecon
         {"notes", result.notes},
         {"initial", {{"pose", rowMajor(result.initial.pose)}, {"scale", result.initial.scale}}}};
     if (withSeconds) object["seconds"] = result.seconds;
-    if (!result.trustworthy()) {
-        object["verdict"] = "failed";
-        object["reasons"] = result.reasons;
-    }
+    object["verdict"] = std::string(describe(result.verdict));
+    object["reasons"] = result.reasons;
     return object;
 }
 

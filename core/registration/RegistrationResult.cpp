@@ -18,4 +18,18 @@ std::string_view describe(StopReason reason) {
     return "";
 }
 
+std::string_view describe(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::accepted:
+            return "accepted";
+        case Verdict::doubtful:
+            return "doubtful";
+        case Verdict::failed:
+            return "failed";
+        case Verdict::ambiguous:
+            return "ambiguous";
+    }
+    return "";
+}
+
 }  // namespace vestige

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/Pose.h"
+#include "core/registration/RegistrationQuality.h"
 
 namespace vestige {
 
@@ -39,9 +40,12 @@ struct RegistrationResult {
     std::vector<RegistrationLevel> levels;
     std::vector<std::string> notes;  ///< for the user: unit recognised, what was chosen automatically and why
     Similarity initial;              ///< the first pose it started from
-    std::vector<std::string> reasons;  ///< why it cannot be relied on; empty when it can
+    Verdict verdict = Verdict::accepted;
+    std::vector<std::string> reasons;       ///< for the verdict, in plain words
+    std::vector<PoseCandidate> candidates;  ///< of an automatic first pose, the best first
+    std::optional<RegistrationQuality> quality;
 
-    bool trustworthy() const { return reasons.empty(); }
+    bool trustworthy() const { return verdict == Verdict::accepted || verdict == Verdict::doubtful; }
 };
 
 }  // namespace vestige

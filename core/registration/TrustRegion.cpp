@@ -58,9 +58,10 @@ TrustRegionStep trustRegionStep(const Vector6d& gradient, const Matrix6d& hessia
 }
 
 TrustRegionOutcome minimise(const std::function<ScoredPose(const Pose&)>& score, const Pose& start,
-                            double radius, const TrustRegionOptions& options) {
+                            double radius, const TrustRegionOptions& options, const TrustRegionWatch& watch) {
     TrustRegionOutcome best{start, score(start), 0, StopReason::iterationLimit};
     double bound = std::min(options.startRadius_m, options.largestRadius_m);
+    if (watch) watch(best, {bound, 0, true});
     while (best.iterations < options.iterationLimit) {
         if (best.scored.inside == 0) {
             best.stop = StopReason::noOverlap;
@@ -89,10 +90,12 @@ TrustRegionOutcome minimise(const std::function<ScoredPose(const Pose&)>& score,
         } else if (gain > 0.75 && trial.bounded) {
             bound = std::min(1.5 * bound, options.largestRadius_m);
         }
-        if (scored.score < best.scored.score) {
+        const bool taken = scored.score < best.scored.score;
+        if (taken) {
             best.pose = pose;
             best.scored = scored;
         }
+        if (watch) watch(best, {bound, trial.step.norm(), taken});
     }
     return best;
 }

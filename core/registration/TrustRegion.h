@@ -37,8 +37,17 @@ struct TrustRegionOutcome {
     StopReason stop = StopReason::iterationLimit;
 };
 
+/// What an iteration tried; `bound` is the one for the next.
+struct TrustRegionTrial {
+    double bound = 0;
+    double length = 0;
+    bool taken = true;
+};
+using TrustRegionWatch = std::function<void(const TrustRegionOutcome&, const TrustRegionTrial&)>;
+
 /// Minimises `score` from `start`; `radius` turns the last three components of a step into radians.
 TrustRegionOutcome minimise(const std::function<ScoredPose(const Pose&)>& score, const Pose& start,
-                            double radius, const TrustRegionOptions& options);
+                            double radius, const TrustRegionOptions& options,
+                            const TrustRegionWatch& watch = {});
 
 }  // namespace vestige
