@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "core/registration/CellMoments.h"
-#include "core/registration/NdtScore.h"
+#include "core/registration/ndt/CellMoments.h"
+#include "core/registration/ndt/NdtScore.h"
 
 namespace vestige {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/geometry/PointCloud.h"
-#include "core/registration/NdtScore.h"
+#include "core/registration/ndt/NdtScore.h"
 
 namespace vestige {
 

@@ -35,6 +35,7 @@ struct RegistrationResult {
         0;  ///< of the distances of the inlier source points to the target's local planes or points
     double overlap = 0;           ///< share of source points with target within the inlier distance
     double targetOverlap = 0;     ///< share of the target near the source that holds such points
+    double radius_m = 0;          ///< RMS distance of the source's surface from its centre
     double inlierDistance_m = 0;  ///< half the smallest voxel and three times the range noise
     std::vector<double> voxelSchedule_m;
     std::vector<RegistrationLevel> levels;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/base/Numbers.h"
-#include "core/registration/CellMoments.h"
 #include "core/registration/InitialPose.h"
+#include "core/registration/ndt/CellMoments.h"
 
 namespace vestige {
 namespace {

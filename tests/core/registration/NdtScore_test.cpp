@@ -1,4 +1,4 @@
-#include "core/registration/NdtScore.h"
+#include "core/registration/ndt/NdtScore.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/registration/NormalDistributions.h"
+#include "core/registration/ndt/NormalDistributions.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/Parallel.h"
 #include "core/base/Random.h"
-#include "core/registration/VoxelSchedule.h"
+#include "core/registration/ndt/VoxelSchedule.h"
 
 namespace vestige {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/registration/TrustRegion.h"
+#include "core/registration/ndt/TrustRegion.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/registration/VoxelGrid.h"
+#include "core/registration/ndt/VoxelGrid.h"
 
 namespace vestige {
 

@@ -4,11 +4,11 @@
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
-#include "core/registration/NormalDistributions.h"
 #include "core/registration/RegistrationFrame.h"
 #include "core/registration/RegistrationResult.h"
 #include "core/registration/RegistrationWatch.h"
-#include "core/registration/TrustRegion.h"
+#include "core/registration/ndt/NormalDistributions.h"
+#include "core/registration/ndt/TrustRegion.h"
 
 namespace vestige {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/PoseUncertainty.h"
-#include "core/registration/NormalDistributions.h"
+#include "core/registration/ndt/NormalDistributions.h"
 
 namespace vestige {
 

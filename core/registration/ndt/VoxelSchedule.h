@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/registration/NormalDistributions.h"
+#include "core/registration/ndt/NormalDistributions.h"
 
 namespace vestige {
 

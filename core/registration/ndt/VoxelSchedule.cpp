@@ -1,4 +1,4 @@
-#include "core/registration/VoxelSchedule.h"
+#include "core/registration/ndt/VoxelSchedule.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "core/registration/NdtScore.h"
 #include "core/registration/RegistrationResult.h"
+#include "core/registration/ndt/NdtScore.h"
 
 namespace vestige {
 

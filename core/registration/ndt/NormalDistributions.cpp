@@ -1,4 +1,4 @@
-#include "core/registration/NormalDistributions.h"
+#include "core/registration/ndt/NormalDistributions.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

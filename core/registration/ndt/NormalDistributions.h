@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/registration/CellMoments.h"
-#include "core/registration/VoxelGrid.h"
+#include "core/registration/ndt/CellMoments.h"
+#include "core/registration/ndt/VoxelGrid.h"
 
 namespace vestige {
 

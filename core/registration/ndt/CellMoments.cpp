@@ -1,9 +1,9 @@
-#include "core/registration/CellMoments.h"
+#include "core/registration/ndt/CellMoments.h"
 
 #include <cstddef>
 
 #include "core/base/Parallel.h"
-#include "core/registration/VoxelGrid.h"
+#include "core/registration/ndt/VoxelGrid.h"
 
 namespace vestige {
 namespace {

@@ -1,10 +1,10 @@
-#include "core/registration/ImprovedNdt.h"
+#include "core/registration/ndt/ImprovedNdt.h"
 
 #include <algorithm>
 
 #include "core/base/Numbers.h"
 #include "core/registration/OverlapQuality.h"
-#include "core/registration/VoxelSchedule.h"
+#include "core/registration/ndt/VoxelSchedule.h"
 
 namespace vestige {
 namespace {
