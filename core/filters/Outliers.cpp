@@ -1,39 +1,38 @@
 #include "core/filters/Outliers.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
 #include "core/filters/LoopProgress.h"
 #include "core/filters/NearbyPoints.h"
 #include "core/filters/Spacing.h"
-#include "core/geometry/Octree.h"
+#include "core/geometry/NeighbourLists.h"
 
 namespace vestige {
 namespace {
 
-constexpr std::size_t kGrain = 1024;
-
 /// For every point, the mean distance to its `count` nearest others.
 std::vector<float> neighbourDistances(const PointCloud& cloud, std::size_t count, const JobControl& control) {
-    const std::shared_ptr<const PointCloud> borrowed(std::shared_ptr<void>{}, &cloud);
-    const Octree octree(borrowed);
+    const NeighbourIndex index(cloud.offsets());
     LoopProgress progress(control, cloud.size(), "outliers");
     std::vector<float> distances(cloud.size(), 0);
-    // In Morton order, where one search finds in the cache what the search before it has used.
-    parallelFor(cloud.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        std::vector<Octree::Neighbour> found;
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t point = octree.order()[i];
-            octree.nearest(cloud.offsets()[point], count + 1, found);
-            double sum = 0;
-            for (std::size_t other = 1; other < found.size(); ++other)
-                sum += std::sqrt(static_cast<double>(found[other].squaredDistance));
-            distances[point] = static_cast<float>(sum / static_cast<double>(found.size() - 1));
-        }
-        progress.done(end - begin);
-    });
+    const std::size_t others = std::min(count, cloud.size() - 1);
+    forNearestDistances(
+        index, others + 1,
+        [&](const NearestDistances& nearest) {
+            // The first is the point itself, or one that coincides with it. Nearest first, lane by lane.
+            std::array<double, 8> sums{};
+            for (const auto& row : nearest.squared.subspan(1))
+                for (std::size_t lane = 0; lane < row.size(); ++lane)
+                    sums[lane] += std::sqrt(static_cast<double>(row[lane]));
+            for (std::size_t lane = 0; lane < nearest.points.size(); ++lane)
+                distances[nearest.points[lane]] =
+                    static_cast<float>(sums[lane] / static_cast<double>(others));
+        },
+        [&](std::size_t points) { progress.done(points); });
     return distances;
 }
 

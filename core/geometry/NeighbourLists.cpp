@@ -1,0 +1,205 @@
+#include "core/geometry/NeighbourLists.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <memory>
+
+#include "core/base/Parallel.h"
+#include "core/geometry/LeafScan.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kLeaf = NeighbourIndex::kLeaf;
+constexpr std::size_t kLanes = 8;
+constexpr std::size_t kGroups = kLeaf / kLanes;
+constexpr std::size_t kGrain = 64;
+
+using Row = std::array<float, kLanes>;
+struct alignas(32) AlignedRow {
+    Row values;
+};
+static_assert(sizeof(AlignedRow) == sizeof(Row));
+
+struct Candidate {
+    float squared;
+    std::uint32_t leaf;
+};
+
+/// Eight points of a leaf and, lane by lane, the ascending squared distances to the nearest found so far.
+class LaneGroup {
+  public:
+    /// `rows`: as many as distances are wanted.
+    void begin(const NeighbourIndex::Leaf& leaf, std::size_t first, std::size_t size,
+               std::span<AlignedRow> rows) {
+        rows_ = rows;
+        for (AlignedRow& row : rows_) row.values.fill(std::numeric_limits<float>::infinity());
+        box_ = {};
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            // Lanes without a point repeat the first one's work.
+            const std::size_t from = first + (lane < size ? lane : 0);
+            for (std::size_t axis = 0; axis < 3; ++axis) at_[axis].values[lane] = leaf.axes[axis][from];
+            box_.add({leaf.axes[0][from], leaf.axes[1][from], leaf.axes[2][from]});
+        }
+    }
+
+    const FloatBox& box() const { return box_; }
+    std::span<const Row> rows() const { return {&rows_.front().values, rows_.size()}; }
+    /// Of all lanes, the largest distance that is still to be beaten.
+    float farthest() const {
+        return *std::max_element(rows_.back().values.begin(), rows_.back().values.end());
+    }
+
+    void scan(const NeighbourIndex::Leaf& leaf) {
+        const __m256 x = _mm256_load_ps(at_[0].values.data());
+        const __m256 y = _mm256_load_ps(at_[1].values.data());
+        const __m256 z = _mm256_load_ps(at_[2].values.data());
+        const __m256 limit = _mm256_load_ps(rows_.back().values.data());
+        std::array<AlignedRow, kLeaf> squared;
+        std::uint32_t near = 0;
+        for (std::size_t place = 0; place < kLeaf; ++place) {
+            const __m256 dx = _mm256_sub_ps(_mm256_broadcast_ss(&leaf.axes[0][place]), x);
+            const __m256 dy = _mm256_sub_ps(_mm256_broadcast_ss(&leaf.axes[1][place]), y);
+            const __m256 dz = _mm256_sub_ps(_mm256_broadcast_ss(&leaf.axes[2][place]), z);
+            const __m256 level = _mm256_add_ps(_mm256_mul_ps(dx, dx), _mm256_mul_ps(dy, dy));
+            const __m256 distance = _mm256_add_ps(level, _mm256_mul_ps(dz, dz));
+            _mm256_store_ps(squared[place].values.data(), distance);
+            const int lanes = _mm256_movemask_ps(_mm256_cmp_ps(distance, limit, _CMP_LT_OQ));
+            near |= static_cast<std::uint32_t>(lanes != 0) << place;
+        }
+        for (; near != 0; near &= near - 1)
+            insert(_mm256_load_ps(squared[static_cast<std::size_t>(std::countr_zero(near))].values.data()));
+    }
+
+  private:
+    /// Each row becomes the middle one of its own, the one below and the new value: no row waits for another.
+    void insert(__m256 value) {
+        float* const rows = rows_.front().values.data();
+        std::size_t row = rows_.size() - 1;
+        __m256 here = _mm256_load_ps(rows + row * kLanes);
+        if (_mm256_movemask_ps(_mm256_cmp_ps(value, here, _CMP_LT_OQ)) == 0) return;
+        for (; row >= 4; row -= 4) {
+            const __m256 a = _mm256_load_ps(rows + (row - 1) * kLanes);
+            const __m256 b = _mm256_load_ps(rows + (row - 2) * kLanes);
+            const __m256 c = _mm256_load_ps(rows + (row - 3) * kLanes);
+            const __m256 d = _mm256_load_ps(rows + (row - 4) * kLanes);
+            _mm256_store_ps(rows + row * kLanes, _mm256_max_ps(a, _mm256_min_ps(here, value)));
+            _mm256_store_ps(rows + (row - 1) * kLanes, _mm256_max_ps(b, _mm256_min_ps(a, value)));
+            _mm256_store_ps(rows + (row - 2) * kLanes, _mm256_max_ps(c, _mm256_min_ps(b, value)));
+            _mm256_store_ps(rows + (row - 3) * kLanes, _mm256_max_ps(d, _mm256_min_ps(c, value)));
+            here = d;
+            if (_mm256_movemask_ps(_mm256_cmp_ps(value, here, _CMP_LT_OQ)) == 0) return;
+        }
+        for (; row > 0; --row) {
+            const __m256 below = _mm256_load_ps(rows + (row - 1) * kLanes);
+            _mm256_store_ps(rows + row * kLanes, _mm256_max_ps(below, _mm256_min_ps(here, value)));
+            here = below;
+        }
+        _mm256_store_ps(rows, _mm256_min_ps(here, value));
+    }
+
+    std::array<AlignedRow, 3> at_;
+    FloatBox box_;
+    std::span<AlignedRow> rows_;
+};
+
+float squaredDistance(const FloatBox& a, const FloatBox& b) {
+    const Eigen::Vector3f gap = (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(0.0F);
+    return gap.x() * gap.x() + gap.y() * gap.y() + gap.z() * gap.z();
+}
+
+/// Finds the neighbours of one leaf's points after the other.
+class LeafQueries {
+  public:
+    LeafQueries(const NeighbourIndex& index, std::size_t count)
+        : index_(index), count_(count), rows_(kGroups * count) {}
+
+    template <class Use>
+    void answer(std::size_t leaf, const Use& use) {
+        const std::size_t size = index_.leafSize(leaf);
+        const std::size_t groups = (size + kLanes - 1) / kLanes;
+        for (std::size_t g = 0; g < groups; ++g)
+            groups_[g].begin(index_.leaves()[leaf], g * kLanes, std::min(kLanes, size - g * kLanes),
+                             std::span(rows_).subspan(g * count_, count_));
+        // The leaves before and after along the curve until there are enough points for a first limit.
+        std::size_t first = leaf;
+        std::size_t last = leaf;
+        while ((last - first + 1) * kLeaf < count_ + kLeaf &&
+               (first > 0 || last + 1 < index_.leaves().size())) {
+            first -= first > 0;
+            last += last + 1 < index_.leaves().size();
+        }
+        for (std::size_t other = first; other <= last; ++other)
+            for (std::size_t g = 0; g < groups; ++g) groups_[g].scan(index_.leaves()[other]);
+        float limit = 0;
+        for (std::size_t g = 0; g < groups; ++g) limit = std::max(limit, groups_[g].farthest());
+        candidates_.clear();
+        index_.tree().nearestFirst(
+            index_.box(leaf), [&](float squared) { return !(squared < limit); },
+            [&](std::uint32_t other, float squared) {
+                if (other < first || other > last) candidates_.push_back({squared, other});
+            });
+        std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+            return a.squared != b.squared ? a.squared < b.squared : a.leaf < b.leaf;
+        });
+        for (std::size_t g = 0; g < groups; ++g) {
+            LaneGroup& group = groups_[g];
+            for (const Candidate& candidate : candidates_) {
+                const float beaten = group.farthest();
+                if (!(candidate.squared < beaten)) break;
+                if (squaredDistance(group.box(), index_.box(candidate.leaf)) < beaten)
+                    group.scan(index_.leaves()[candidate.leaf]);
+            }
+            const std::size_t at = leaf * kLeaf + g * kLanes;
+            use(NearestDistances{index_.order().subspan(at, std::min(kLanes, size - g * kLanes)),
+                                 group.rows()});
+        }
+    }
+
+  private:
+    const NeighbourIndex& index_;
+    std::size_t count_;
+    std::vector<AlignedRow> rows_;
+    std::array<LaneGroup, kGroups> groups_;
+    std::vector<Candidate> candidates_;
+};
+
+template <class Answer>
+void forLeaves(const NeighbourIndex& index, std::size_t count, const std::function<void(std::size_t)>& done,
+               const Answer& answer) {
+    parallelFor(index.leaves().size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        LeafQueries queries(index, count);
+        for (std::size_t leaf = begin; leaf < end; ++leaf) answer(queries, leaf);
+        if (done) done(std::min(end * kLeaf, index.size()) - begin * kLeaf);
+    });
+}
+
+}  // namespace
+
+void forNearestDistances(const NeighbourIndex& index, std::size_t count,
+                         const std::function<void(const NearestDistances&)>& use,
+                         const std::function<void(std::size_t)>& done) {
+    forLeaves(index, count, done, [&](LeafQueries& queries, std::size_t leaf) { queries.answer(leaf, use); });
+}
+
+void forNearest(
+    const NeighbourIndex& index, std::size_t count,
+    const std::function<void(std::uint32_t point, std::span<const NeighbourIndex::Neighbour>)>& use,
+    const std::function<void(std::size_t)>& done) {
+    forLeaves(index, count, done, [&](LeafQueries& queries, std::size_t leaf) {
+        thread_local std::vector<NeighbourIndex::Neighbour> found;
+        const auto& axes = index.leaves()[leaf].axes;
+        std::size_t place = 0;
+        queries.answer(leaf, [&](const NearestDistances& nearest) {
+            for (std::size_t lane = 0; lane < nearest.points.size(); ++lane, ++place) {
+                const Eigen::Vector3f centre(axes[0][place], axes[1][place], axes[2][place]);
+                index.within(centre, nearest.squared.back()[lane], found);
+                std::sort(found.begin(), found.end(), NeighbourIndex::nearer);
+                use(nearest.points[lane], std::span(found).first(std::min(count, found.size())));
+            }
+        });
+    });
+}
+
+}  // namespace vestige
