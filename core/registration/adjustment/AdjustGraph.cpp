@@ -1,0 +1,152 @@
+#include "core/registration/adjustment/AdjustGraph.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+
+#include "core/base/Numbers.h"
+#include "core/registration/adjustment/LoopErrors.h"
+#include "core/registration/adjustment/SignificanceTests.h"
+
+namespace vestige {
+namespace {
+
+/// Covariances are taken to be too small, and made larger, only on this much evidence.
+constexpr double kDisagreement = 0.05;
+
+std::size_t nodesInReach(const FittedPoses& fit) {
+    return static_cast<std::size_t>(
+        std::count_if(fit.poses.begin(), fit.poses.end(), [](const auto& pose) { return pose.has_value(); }));
+}
+
+/// A fit without some edges, which reaches what the whole reaches.
+struct Trial {
+    std::vector<std::size_t> without;
+    double chiSquare = 0;
+};
+
+/// All fits without `count` of the edges used (1 or 2), the best first.
+std::vector<Trial> leavingOut(int count, const PoseGraph& graph, const std::vector<bool>& used,
+                              const FittedPoses& fit) {
+    std::vector<Trial> trials;
+    const auto attempt = [&](std::vector<std::size_t> without) {
+        std::vector<bool> others = used;
+        for (const std::size_t e : without) others[e] = false;
+        const FittedPoses rest = fitPoses(graph, others);
+        if (nodesInReach(rest) == nodesInReach(fit)) trials.push_back({std::move(without), rest.chiSquare});
+    };
+    for (std::size_t a = 0; a < used.size(); ++a) {
+        if (!used[a]) continue;
+        if (count == 1) attempt({a});
+        for (std::size_t b = a + 1; count == 2 && b < used.size(); ++b)
+            if (used[b]) attempt({a, b});
+    }
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.chiSquare < b.chiSquare; });
+    return trials;
+}
+
+/// How probable it is that the sum of squares falls by `drop` where nothing is wrong, given what remains.
+double probabilityOf(double drop, int dropDegrees, double remaining, int degrees) {
+    if (degrees == 0 || remaining <= degrees) return chiSquareTail(drop, dropDegrees);
+    return fisherTail(drop / dropDegrees / (remaining / degrees), dropDegrees, degrees);
+}
+
+std::string whyRejected(double probability) {
+    return "the other pairs contradict it (probability " +
+           (probability < 1e-6 ? "below 0.000001" : fixedText(probability, 6)) + ")";
+}
+
+/// Which edges the fit is significantly better without.
+struct Outliers {
+    std::vector<std::size_t> edges;
+    double probability = 1;  ///< of so large an improvement where nothing is wrong
+    bool certain = true;     ///< leaving out no other edges does nearly as well
+};
+
+Outliers outliers(const PoseGraph& graph, const std::vector<bool>& used, const FittedPoses& fit,
+                  double falseAlarm) {
+    if (fit.degrees == 0 || chiSquareTail(fit.chiSquare, fit.degrees) > falseAlarm) return {};
+    // Two wrong edges hide each other from a search for one.
+    for (const int count : {1, 2}) {
+        const int degrees = fit.degrees - 6 * count;
+        if (degrees < 0 || (count == 2 && degrees == 0)) break;
+        const auto trials = leavingOut(count, graph, used, fit);
+        if (trials.empty()) break;
+        const Trial& best = trials.front();
+        Outliers found{best.without,
+                       probabilityOf(fit.chiSquare - best.chiSquare, 6 * count, best.chiSquare, degrees),
+                       true};
+        if (found.probability > falseAlarm) continue;
+        for (std::size_t i = 1; i < trials.size(); ++i) {
+            const double worse = trials[i].chiSquare - best.chiSquare;
+            if (degrees > 0 && probabilityOf(worse, 6, best.chiSquare, degrees) <= falseAlarm) break;
+            found.certain = false;
+            found.edges.insert(found.edges.end(), trials[i].without.begin(), trials[i].without.end());
+        }
+        std::sort(found.edges.begin(), found.edges.end());
+        found.edges.erase(std::unique(found.edges.begin(), found.edges.end()), found.edges.end());
+        return found;
+    }
+    return {};
+}
+
+}  // namespace
+
+AdjustedGraph adjustGraph(const PoseGraph& graph, const AdjustmentOptions& options,
+                          const std::vector<bool>& allowed) {
+    AdjustedGraph adjusted;
+    adjusted.edges.resize(graph.edges.size());
+    std::vector<bool> used(graph.edges.size());
+    std::vector<bool> measured(graph.edges.size());
+    for (std::size_t e = 0; e < used.size(); ++e) {
+        const bool wanted = allowed.empty() || allowed[e];
+        used[e] = measured[e] = wanted && isUsable(graph.edges[e].uncertainty);
+        if (wanted && !used[e]) adjusted.edges[e].whyNot = "its covariance is not positive definite";
+    }
+    adjusted.fit = fitPoses(graph, used);
+    for (;;) {
+        Outliers found = outliers(graph, used, adjusted.fit, options.falseAlarm);
+        if (!found.certain) adjusted.suspects = std::move(found.edges);
+        if (!found.certain || found.edges.empty()) break;
+        for (const std::size_t e : found.edges) {
+            used[e] = false;
+            adjusted.edges[e].whyNot = whyRejected(found.probability);
+        }
+        adjusted.fit = fitPoses(graph, used);
+    }
+
+    FittedPoses& fit = adjusted.fit;
+    const auto tree = surestTree(graph, used);
+    adjusted.unadjusted = posesAlong(graph, tree);
+    adjusted.loops = loopErrors(graph, tree, measured);
+    for (const Trial& trial : leavingOut(1, graph, used, fit)) {
+        AdjustedEdge& edge = adjusted.edges[trial.without.front()];
+        edge.controlled = true;
+        edge.chiSquare = fit.chiSquare - trial.chiSquare;
+    }
+    for (std::size_t e = 0; e < used.size(); ++e) {
+        const PoseEdge& edge = graph.edges[e];
+        if (!fit.poses[edge.to] || !fit.poses[edge.from]) continue;
+        adjusted.edges[e].used = used[e];
+        if (measured[e] && !used[e]) {
+            std::vector<bool> with = used;
+            with[e] = true;
+            adjusted.edges[e].controlled = true;
+            adjusted.edges[e].chiSquare = fitPoses(graph, with).chiSquare - fit.chiSquare;
+        }
+        adjusted.edges[e].residual = edgeResidual(edge, *fit.poses[edge.to], *fit.poses[edge.from],
+                                                  Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero())
+                                         .value;
+    }
+    if (fit.degrees > 0) {
+        adjusted.varianceFactor = fit.chiSquare / fit.degrees;
+        adjusted.consistent = chiSquareTail(fit.chiSquare, fit.degrees) > kDisagreement;
+    }
+    if (!adjusted.consistent)
+        for (auto& uncertainty : fit.uncertainty)
+            if (uncertainty) uncertainty->covariance *= adjusted.varianceFactor;
+    return adjusted;
+}
+
+}  // namespace vestige
