@@ -59,6 +59,11 @@ class Checker(unittest.TestCase):
     def test_file_too_long(self):
         self.assert_offence("core/base/B.cpp", "\n" * 601, "601 lines")
 
+    def test_word_that_only_the_peers_may_have(self):
+        self.write("tests/bench/peers/B.cpp", "#ifndef PCL_NO_PRECOMPILE\n")
+        self.assertEqual(self.run_check()[0], 0)
+        self.assert_offence("tests/bench/C.cpp", "#define PCL_NO_PRECOMPILE\n", "contains PCL_NO_PRECOMPILE")
+
 
 if __name__ == "__main__":
     unittest.main()
