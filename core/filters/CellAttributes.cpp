@@ -12,19 +12,19 @@ constexpr std::size_t kCellGrain = 4096;
 
 /// value(points of the cell) for every cell, where the cloud has the attribute `all`.
 template <class Value, class ValueOf>
-std::vector<Value> perCell(const std::vector<Value>& all, const CellGrid& grid, const ValueOf& valueOf) {
+std::vector<Value> perCell(const std::vector<Value>& all, const CellMembers& cells, const ValueOf& valueOf) {
     std::vector<Value> values;
     if (all.empty()) return values;
-    values.resize(grid.cellCount());
-    parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) values[cell] = valueOf(grid.points(cell));
+    values.resize(cells.cellCount());
+    parallelFor(cells.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) values[cell] = valueOf(cells.points(cell));
     });
     return values;
 }
 
 template <class Value>
-std::vector<Value> means(const std::vector<Value>& all, const CellGrid& grid) {
-    return perCell(all, grid, [&](std::span<const std::uint32_t> points) {
+std::vector<Value> means(const std::vector<Value>& all, const CellMembers& cells) {
+    return perCell(all, cells, [&](std::span<const std::uint32_t> points) {
         // Differences from the first keep the digits of large values such as GPS time.
         const auto first = static_cast<double>(all[points.front()]);
         double sum = 0;
@@ -34,8 +34,8 @@ std::vector<Value> means(const std::vector<Value>& all, const CellGrid& grid) {
 }
 
 template <class Value>
-std::vector<Value> mostFrequent(const std::vector<Value>& all, const CellGrid& grid) {
-    return perCell(all, grid, [&](std::span<const std::uint32_t> points) {
+std::vector<Value> mostFrequent(const std::vector<Value>& all, const CellMembers& cells) {
+    return perCell(all, cells, [&](std::span<const std::uint32_t> points) {
         thread_local std::vector<Value> held;
         held.clear();
         for (const std::uint32_t point : points) held.push_back(all[point]);
@@ -56,11 +56,11 @@ std::vector<Value> mostFrequent(const std::vector<Value>& all, const CellGrid& g
 
 }  // namespace
 
-PointAttributes averagedAttributes(const PointAttributes& attributes, const CellGrid& grid) {
+PointAttributes averagedAttributes(const PointAttributes& attributes, const CellMembers& cells) {
     PointAttributes averaged;
-    averaged.intensity = means(attributes.intensity, grid);
-    averaged.gpsTime = means(attributes.gpsTime, grid);
-    averaged.color = perCell(attributes.color, grid, [&](std::span<const std::uint32_t> points) {
+    averaged.intensity = means(attributes.intensity, cells);
+    averaged.gpsTime = means(attributes.gpsTime, cells);
+    averaged.color = perCell(attributes.color, cells, [&](std::span<const std::uint32_t> points) {
         std::array<std::uint64_t, 3> sum{};
         for (const std::uint32_t point : points)
             for (std::size_t channel = 0; channel < 3; ++channel)
@@ -70,7 +70,7 @@ PointAttributes averagedAttributes(const PointAttributes& attributes, const Cell
             mean[channel] = static_cast<std::uint16_t>((sum[channel] + points.size() / 2) / points.size());
         return mean;
     });
-    averaged.normal = perCell(attributes.normal, grid, [&](std::span<const std::uint32_t> points) {
+    averaged.normal = perCell(attributes.normal, cells, [&](std::span<const std::uint32_t> points) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const std::uint32_t point : points) sum += attributes.normal[point].cast<double>();
         const double length = sum.norm();
@@ -78,10 +78,10 @@ PointAttributes averagedAttributes(const PointAttributes& attributes, const Cell
         if (length <= 1e-6 * static_cast<double>(points.size())) return Eigen::Vector3f(0, 0, 0);
         return Eigen::Vector3f((sum / length).cast<float>());
     });
-    averaged.classification = mostFrequent(attributes.classification, grid);
-    averaged.pointSource = mostFrequent(attributes.pointSource, grid);
-    averaged.returnNumber = mostFrequent(attributes.returnNumber, grid);
-    averaged.returnCount = mostFrequent(attributes.returnCount, grid);
+    averaged.classification = mostFrequent(attributes.classification, cells);
+    averaged.pointSource = mostFrequent(attributes.pointSource, cells);
+    averaged.returnNumber = mostFrequent(attributes.returnNumber, cells);
+    averaged.returnCount = mostFrequent(attributes.returnCount, cells);
     return averaged;
 }
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/base/JobControl.h"
+#include "core/filters/CellLayout.h"
+#include "core/filters/CellMembers.h"
 #include "core/geometry/PointCloud.h"
 
 namespace vestige {
@@ -16,49 +18,36 @@ namespace vestige {
 /// y, then z; the points of one cell in ascending order of their own index.
 class CellGrid {
   public:
-    /// Cells along each axis.
-    static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 21;
-
-    /// Whether cells of this size (cloud's unit) cover the cloud within kMostCells along each axis.
-    static bool covers(const PointCloud& cloud, double size);
-    /// The smallest size from `size` up that covers the cloud.
-    static double coveringSize(const PointCloud& cloud, double size);
-
-    /// `size` > 0 covers the cloud. Throws ErrorException when the job is cancelled.
+    /// `size` > 0 covers the cloud (CellLayout). Throws ErrorException when the job is cancelled.
     CellGrid(const PointCloud& cloud, double size, const JobControl& control);
 
-    double size() const { return size_; }
+    double size() const { return layout_.size(); }
     std::size_t cellCount() const { return keys_.size(); }
+    const CellMembers& members() const { return members_; }
     /// Indices into the cloud, cell after cell.
-    std::span<const std::uint32_t> order() const { return order_; }
+    std::span<const std::uint32_t> order() const { return members_.order; }
     /// The range of a cell, or of consecutive cells, in order().
-    std::uint32_t begin(std::size_t cell) const { return begins_[cell]; }
-    std::uint32_t end(std::size_t cell) const { return begins_[cell + 1]; }
-    std::span<const std::uint32_t> points(std::size_t cell) const {
-        return order().subspan(begin(cell), end(cell) - begin(cell));
-    }
+    std::uint32_t begin(std::size_t cell) const { return members_.begins[cell]; }
+    std::uint32_t end(std::size_t cell) const { return members_.begins[cell + 1]; }
+    std::span<const std::uint32_t> points(std::size_t cell) const { return members_.points(cell); }
     /// x, y and z of the cell as one number, x highest, counted from one below the cloud's first cell: a
     /// neighbour's key is this one plus the key of the steps, without overflow from axis to axis.
     std::uint64_t key(std::size_t cell) const { return keys_[cell]; }
     std::uint64_t key(std::uint64_t x, std::uint64_t y, std::uint64_t z) const {
-        return x << shiftX_ | y << shiftY_ | z;
+        return layout_.key(x, y, z);
     }
     /// World coordinates of the cell's corner of least x, y and z.
-    Eigen::Vector3d corner(std::size_t cell) const;
+    Eigen::Vector3d corner(std::size_t cell) const { return layout_.corner(keys_[cell]); }
     /// The first cell whose key is not below this one; cellCount() when there is none.
     std::size_t firstCell(std::uint64_t key) const;
 
   private:
     template <class Key>
-    void sortPoints(const PointCloud& cloud, unsigned keyBits, const JobControl& control);
+    void sortPoints(const PointCloud& cloud, const JobControl& control);
 
-    double size_;
-    unsigned shiftX_ = 0;
-    unsigned shiftY_ = 0;
-    Eigen::Array<std::int64_t, 3, 1> base_ = {0, 0, 0};  ///< in cells
-    std::vector<std::uint32_t> order_;
+    CellLayout layout_;
+    CellMembers members_;
     std::vector<std::uint64_t> keys_;
-    std::vector<std::uint32_t> begins_;
 };
 
 }  // namespace vestige

@@ -149,7 +149,7 @@ void forNearbyPoints(const PointCloud& cloud, double radius, const std::string& 
     LoopProgress progress(control, cloud.size(), step);
     // A hair wider than the radius: rounding may not put a neighbour two cells away.
     const double least = radius * (1 + 1e-6);
-    const double size = CellGrid::coveringSize(cloud, least);
+    const double size = CellLayout::coveringSize(cloud.bounds(), least);
     if (size > 2 * least) {
         forPoints(cloud, radius, progress, use);
     } else {

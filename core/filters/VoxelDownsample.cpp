@@ -1,13 +1,16 @@
 #include "core/filters/VoxelDownsample.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
 #include "core/filters/CellAttributes.h"
+#include "core/filters/CellBuckets.h"
 #include "core/filters/CellGrid.h"
 #include "core/filters/LoopProgress.h"
+#include "core/filters/VoxelMeans.h"
 #include "core/filters/WorldPoints.h"
 #include "core/geometry/PointCloudBuilder.h"
 
@@ -46,8 +49,9 @@ std::uint32_t nearestTo(const Eigen::Vector3d& place, const WorldPoints& world,
     return best;
 }
 
-PointCloud represented(const PointCloud& cloud, double size, VoxelRepresentative representative,
-                       const JobControl& control) {
+/// For clouds of few points in very many cells.
+PointCloud representedSparsely(const PointCloud& cloud, double size, VoxelRepresentative representative,
+                               const JobControl& control) {
     const CellGrid grid(cloud, size, control);
     const WorldPoints world(cloud);
     LoopProgress progress(control, grid.cellCount(), "voxels");
@@ -67,15 +71,40 @@ PointCloud represented(const PointCloud& cloud, double size, VoxelRepresentative
             builder.setPoint(cell, centroid(world, grid, cell));
         progress.done(end - begin);
     });
-    builder.attributes() = averagedAttributes(cloud.attributes(), grid);
+    builder.attributes() = averagedAttributes(cloud.attributes(), grid.members());
     return std::move(builder).build();
+}
+
+bool hasAttributes(const PointAttributes& a) {
+    return !(a.intensity.empty() && a.color.empty() && a.classification.empty() && a.gpsTime.empty() &&
+             a.normal.empty() && a.pointSource.empty() && a.returnNumber.empty() && a.returnCount.empty());
+}
+
+PointCloud represented(const PointCloud& cloud, double size, VoxelRepresentative representative,
+                       const JobControl& control) {
+    if (cloud.empty()) return cloud;
+    const CellLayout layout(cloud.bounds(), size);
+    if (!CellBuckets::covers(layout)) return representedSparsely(cloud, size, representative, control);
+    const PointSpan points(cloud);
+    if (representative == VoxelRepresentative::nearest)
+        return cloud.select(voxelMeans(layout, points, VoxelWants::nearest, control).nearest);
+    const bool attributes = hasAttributes(cloud.attributes());
+    VoxelMeans means =
+        voxelMeans(layout, points, attributes ? VoxelWants::members : VoxelWants::means, control);
+    const auto isFar = [](const Eigen::Vector3f& offset) {
+        return offset.cwiseAbs().maxCoeff() > PointCloudBuilder::kExactRange;
+    };
+    if (std::none_of(means.offsets.begin(), means.offsets.end(), isFar)) means.residuals.clear();
+    PointAttributes averaged;
+    if (attributes) averaged = averagedAttributes(cloud.attributes(), means.members);
+    return {cloud.origin(), std::move(means.offsets), std::move(means.residuals), std::move(averaged)};
 }
 
 Status checkSize(const PointCloud& cloud, double size) {
     if (!(size > 0) || !std::isfinite(size))
         return fail(ErrorCode::usage, "the voxel size " + exactText(size) + " is not a length", "voxel",
                     "expected a number above 0");
-    if (!CellGrid::covers(cloud, size))
+    if (!CellLayout::covers(cloud.bounds(), size))
         return fail(ErrorCode::usage,
                     "the cloud is " + exactText(cloud.bounds().extent().maxCoeff()) +
                         " long and has too many voxels of size " + exactText(size) + " along one side",

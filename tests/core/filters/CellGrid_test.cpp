@@ -32,10 +32,10 @@ TEST(CellGrid, EveryPointLiesInItsCell) {
 
 TEST(CellGrid, CoversUpToItsMostCells) {
     const PointCloud cloud = cloudOf({{0.5, 0, 0}, {2097148.5, 0, 0}});
-    EXPECT_TRUE(CellGrid::covers(cloud, 1));
-    EXPECT_FALSE(CellGrid::covers(cloud, 0.9));
-    EXPECT_TRUE(CellGrid::covers(cloud, CellGrid::coveringSize(cloud, 1e-7)));
-    EXPECT_EQ(CellGrid::coveringSize(cloud, 3), 3);
+    EXPECT_TRUE(CellLayout::covers(cloud.bounds(), 1));
+    EXPECT_FALSE(CellLayout::covers(cloud.bounds(), 0.9));
+    EXPECT_TRUE(CellLayout::covers(cloud.bounds(), CellLayout::coveringSize(cloud.bounds(), 1e-7)));
+    EXPECT_EQ(CellLayout::coveringSize(cloud.bounds(), 3), 3);
     const CellGrid grid(cloud, 1, {});
     ASSERT_EQ(grid.cellCount(), 2U);
     EXPECT_EQ(grid.corner(1), Eigen::Vector3d(2097148, 0, 0));
