@@ -1,4 +1,4 @@
-#include "tests/bench/PclFilters.h"
+#include "tests/bench/filters/PclFilters.h"
 
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/filters/voxel_grid.h>
@@ -17,10 +17,11 @@ PclFilters::PclFilters(const PointCloud& cloud) : cloud_(std::make_unique<Cloud>
 }
 PclFilters::~PclFilters() = default;
 
-std::size_t PclFilters::voxelGrid(float size) const {
+std::size_t PclFilters::voxelGrid(float size, bool allFields) const {
     pcl::VoxelGrid<pcl::PointXYZ> grid;
     grid.setInputCloud(cloud_->points);
     grid.setLeafSize(size, size, size);
+    grid.setDownsampleAllData(allFields);
     pcl::PointCloud<pcl::PointXYZ> thin;
     grid.filter(thin);
     return thin.size();
@@ -42,14 +43,14 @@ double PclFilters::meanFilter(float radius) const {
     return height;
 }
 
-std::size_t PclFilters::statistical(int neighbours, double sigmas) const {
+std::vector<std::int32_t> PclFilters::statistical(int neighbours, double sigmas) const {
     pcl::StatisticalOutlierRemoval<pcl::PointXYZ> removal;
     removal.setInputCloud(cloud_->points);
     removal.setMeanK(neighbours);
     removal.setStddevMulThresh(sigmas);
-    pcl::PointCloud<pcl::PointXYZ> kept;
+    pcl::Indices kept;
     removal.filter(kept);
-    return kept.size();
+    return kept;
 }
 
 }  // namespace vestige

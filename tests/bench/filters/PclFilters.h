@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/geometry/PointCloud.h"
 
@@ -13,13 +15,14 @@ class PclFilters {
     explicit PclFilters(const PointCloud& cloud);
     ~PclFilters();
 
-    /// pcl::VoxelGrid; the number of points left.
-    std::size_t voxelGrid(float size) const;
+    /// pcl::VoxelGrid; the number of points left. `allFields` is PCL's standard setting, without it only
+    /// coordinates are averaged.
+    std::size_t voxelGrid(float size, bool allFields) const;
     /// The mean of the neighbours that pcl::KdTreeFLANN finds within the radius; the sum of all z. PCL has no
     /// such filter of its own.
     double meanFilter(float radius) const;
-    /// pcl::StatisticalOutlierRemoval; the number of points left.
-    std::size_t statistical(int neighbours, double sigmas) const;
+    /// pcl::StatisticalOutlierRemoval; the indices of the points left.
+    std::vector<std::int32_t> statistical(int neighbours, double sigmas) const;
 
   private:
     struct Cloud;
