@@ -111,6 +111,9 @@ extern "C" __attribute__((visibility("default"))) void PEER_ENTRY(const PeerRequ
         case PeerMethod::ndt:
             pose = ndt(target, thinned(source, kNdtSourceLeaf_m), pose, leaf, answer->iterations);
             break;
+        case PeerMethod::ndtThin:
+            pose = ndt(target, thinned(source, 0.5F * leaf), pose, leaf, answer->iterations);
+            break;
         case PeerMethod::ndtChain: {
             const Cloud::Ptr thin = thinned(source, kNdtSourceLeaf_m);
             float cell = 1;

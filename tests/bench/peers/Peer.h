@@ -12,7 +12,8 @@ struct PeerCloud {
 };
 
 enum class PeerMethod {
-    ndt,       ///< one cell size
+    ndt,       ///< one cell size, the source thinned to 0.1 m
+    ndtThin,   ///< one cell size, the source thinned to half of it
     ndtChain,  ///< cells of 1.0 m to 0.328 m, each 0.8 of the one before, each from the pose before
     icp,       ///< point to point
     gicp,

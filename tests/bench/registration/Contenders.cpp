@@ -5,7 +5,7 @@
 #include "core/base/Parallel.h"
 #include "core/registration/FindPose.h"
 #include "core/registration/Register.h"
-#include "tests/bench/peers/Peer.h"
+#include "tests/bench/registration/AskPeer.h"
 
 namespace vestige::bench {
 namespace {
@@ -45,8 +45,6 @@ Contender oursWithVerdict() {
             }};
 }
 
-using PeerEntry = void (*)(const PeerRequest*, PeerAnswer*);
-
 Contender peer(const std::string& name, PeerEntry entry, PeerMethod peerMethod, std::vector<int> threads,
                std::vector<double> leaves, double asked) {
     return {name,
@@ -55,25 +53,7 @@ Contender peer(const std::string& name, PeerEntry entry, PeerMethod peerMethod, 
             std::move(leaves),
             asked,
             [entry, peerMethod](const ScanPair& pair, double leaf, int count) {
-                const auto& target = pair.target.offsets();
-                const auto& source = pair.source.offsets();
-                PeerRequest request{peerMethod,
-                                    {target.front().data(), target.size()},
-                                    {source.front().data(), source.size()},
-                                    {},
-                                    leaf,
-                                    count};
-                // Peers see the offsets; a cloud's origin is a matter of the pose.
-                Pose start = pair.start;
-                start.translation() += start.linear() * pair.source.origin() - pair.target.origin();
-                Eigen::Map<Eigen::Matrix4d>(request.start) = start.matrix();
-                PeerAnswer answer{};
-                entry(&request, &answer);
-                Pose found = Pose::Identity();
-                found.matrix() = Eigen::Map<const Eigen::Matrix4d>(answer.targetFromSource);
-                found.linear() = nearestRotation(found.linear());
-                found.translation() += pair.target.origin() - found.linear() * pair.source.origin();
-                return found;
+                return askPeer(entry, peerMethod, pair, leaf, count);
             }};
 }
 
@@ -88,6 +68,8 @@ std::vector<Contender> contenders(bool large) {
                                ours("our NDT", "ndt"), ours("our ICP", "icp")};
     all.push_back(peer("PCL NDT, Debian", vestige_peer_pcl_debian, PeerMethod::ndt, {1}, cells, 1));
     all.push_back(peer("PCL NDT, AVX2", vestige_peer_pcl_avx2, PeerMethod::ndt, {1}, cells, 1));
+    all.push_back(peer("PCL NDT, AVX2, source thinned to half a cell", vestige_peer_pcl_avx2,
+                       PeerMethod::ndtThin, {1}, cells, 0));
     all.push_back(peer("PCL NDT chain, Debian", vestige_peer_pcl_debian, PeerMethod::ndtChain, {1}, {0}, 0));
     all.push_back(peer("PCL NDT chain, AVX2", vestige_peer_pcl_avx2, PeerMethod::ndtChain, {1}, {0}, 0));
     all.push_back(peer("PCL ICP, AVX2", vestige_peer_pcl_avx2, PeerMethod::icp, {1}, voxels, 0));

@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "core/base/Units.h"
+#include "core/geometry/PointCloudBuilder.h"
 #include "core/io/FormatRegistry.h"
 #include "core/simulation/TripodPair.h"
-#include "tests/bench/peers/Peer.h"
+#include "tests/bench/registration/AskPeer.h"
 #include "tests/support/TestPaths.h"
 
 namespace vestige::bench {
@@ -21,7 +22,11 @@ constexpr double kStartAngle_deg = 4;
 PointCloud readCloud(const std::filesystem::path& file) {
     Result<LoadedGeometry> loaded = readGeometry(file);
     if (!loaded) throw std::runtime_error(loaded.error().sentence());
-    return loaded->geometry.vertices;
+    // In the file's own frame, as a peer's reader would have it: where a grid begins changes what NDT finds.
+    PointCloudBuilder builder{Eigen::Vector3d::Zero()};
+    const PointCloud& cloud = loaded->geometry.vertices;
+    for (std::size_t i = 0; i < cloud.size(); ++i) builder.add(cloud.point(i));
+    return std::move(builder).build();
 }
 
 Pose readMatrix(const std::filesystem::path& file) {
@@ -33,23 +38,9 @@ Pose readMatrix(const std::filesystem::path& file) {
     return *pose;
 }
 
-PeerCloud flat(const PointCloud& cloud) {
-    return {cloud.offsets().front().data(), cloud.size()};
-}
-
 /// GICP with ever finer voxels, from the start: biased towards GICP, good to some millimetres.
 Pose fineGicp(const ScanPair& pair) {
-    PeerRequest request{PeerMethod::reference, flat(pair.target), flat(pair.source), {}, 0, 1};
-    Pose start = pair.start;
-    start.translation() += start.linear() * pair.source.origin() - pair.target.origin();
-    Eigen::Map<Eigen::Matrix4d>(request.start) = start.matrix();
-    PeerAnswer answer{};
-    vestige_peer_pcl_avx2(&request, &answer);
-    Pose found = Pose::Identity();
-    found.matrix() = Eigen::Map<const Eigen::Matrix4d>(answer.targetFromSource);
-    found.linear() = nearestRotation(found.linear());
-    found.translation() += pair.target.origin() - found.linear() * pair.source.origin();
-    return found;
+    return askPeer(vestige_peer_pcl_avx2, PeerMethod::reference, pair, 0, 1);
 }
 
 struct RealPair {
@@ -86,6 +77,11 @@ std::optional<ScanPair> readPair(const RealPair& files) {
     pair.reference = fineGicp(pair);
     pair.truth = "GICP down to 0.03 m, good to 5 mm and 0.2 degrees";
     pair.referenceError = {0.005, radians(0.2)};
+    if (name == "car") {
+        // Two such chains from different starts end this far apart.
+        pair.truth = "GICP down to 0.03 m, good to 4 cm and 0.5 degrees";
+        pair.referenceError = {0.04, radians(0.5)};
+    }
     if (name == "apartment") {
         const Eigen::Vector3d published(0.6083, -0.0039, 0.0107);
         std::fprintf(stderr, "apartment: GICP ends %.0f mm from the published place\n",

@@ -9,7 +9,7 @@
 
 namespace vestige::bench {
 
-/// Two clouds to be registered, in metres, with the pose to be found.
+/// Two clouds to be registered, in metres round the origin zero, with the pose to be found.
 struct ScanPair {
     std::string name;
     std::string truth;  ///< where the reference comes from, for the table
