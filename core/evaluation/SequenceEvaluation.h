@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,36 +8,39 @@
 #include "core/base/ParameterSet.h"
 #include "core/base/Result.h"
 #include "core/evaluation/RelativePoseError.h"
-#include "core/geometry/PointCloud.h"
+#include "core/evaluation/Sequence.h"
+#include "core/registration/RegistrationQuality.h"
 
 namespace vestige {
 
-/// Clouds in their scanner's frames, metres, and the known poses worldFromScanner.
-struct Sequence {
-    std::vector<PointCloud> clouds;
-    std::vector<Pose> truth;
+/// One cloud registered to the one before.
+struct PairScore {
+    std::size_t from = 0;  ///< index of the target; the source is the next
+    PoseDifference moved;  ///< true motion between the two
+    PoseDifference error;
+    Verdict verdict = Verdict::failed;
+    double overlap = 0;
+    double seconds = 0;
 };
-
-/// Reads what sequenceFiles and readTrajectory find. ErrorCode::input when their numbers differ.
-Result<Sequence> readSequence(const std::filesystem::path& folder, const std::filesystem::path& truth,
-                              const JobControl& control = {});
 
 /// One row of the comparison.
 struct SequenceScore {
     std::string method;
-    std::string voxel;  ///< as asked for: a length in m, or "auto"
+    std::optional<double> voxel_m;  ///< nothing: chosen by the registration
     std::string filter;
+    std::size_t distance = 1;  ///< between the poses that are compared
     RelativePoseError error;
-    std::size_t failed = 0;        ///< pairs without a trustworthy pose; they count as not moved
+    std::size_t failed = 0;        ///< registrations with the verdict failed or ambiguous
     double seconds = 0;            ///< registration, all pairs
     double preprocessSeconds = 0;  ///< all clouds
+    std::vector<PairScore> pairs;  ///< neighbours, whatever `distance`
 };
 
 /// Registers each cloud to the one before, from identity, and compares the chain of poses with the truth.
+/// The pose that a method ends at counts, whatever its verdict; where it has none, the scanner counts as not
+/// moved. ErrorCode::input when no poses are `distance` apart.
 Result<SequenceScore> evaluateSequence(const Sequence& sequence, const ParameterSet& preprocessing,
-                                       const ParameterSet& registration, const JobControl& control = {});
-
-/// method,voxel_m,filter,pairs,failed,rpe_m,rpe_deg,seconds,preprocess_seconds with a row per score.
-std::string sequenceCsv(const std::vector<SequenceScore>& scores);
+                                       const ParameterSet& registration, std::size_t distance = 1,
+                                       const JobControl& control = {});
 
 }  // namespace vestige

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <string_view>
 
+#include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
 
 namespace vestige {
@@ -14,23 +17,40 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-bool isReadable(const fs::path& file) {
+std::string extensionOf(const fs::path& file) {
     std::string extension = file.extension().string();
-    if (extension.empty()) return false;
-    extension.erase(0, 1);
+    if (!extension.empty()) extension.erase(0, 1);
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+bool isReadable(const std::string& extension) {
     for (const auto& format : fileFormats())
         for (const std::string& one : format->extensions())
             if (one == extension) return true;
     return false;
 }
 
-std::vector<fs::path> named(const std::vector<fs::path>& files, const std::string& begin) {
-    std::vector<fs::path> found;
+/// ASL clouds: `begin`, a number, ".csv".
+void takeNumbered(const std::vector<fs::path>& files, const std::string& begin, SequenceFiles& sequence) {
+    for (const fs::path& file : files) {
+        const std::string stem = file.stem().string();
+        if (!stem.starts_with(begin) || extensionOf(file) != "csv") continue;
+        const auto id = parseInteger(std::string_view(stem).substr(begin.size()));
+        if (!id || !isDigit(stem[begin.size()])) continue;
+        sequence.clouds.push_back(file);
+        sequence.ids.push_back(*id);
+    }
+}
+
+void takeMostFrequent(const std::vector<fs::path>& files, SequenceFiles& sequence) {
+    std::map<std::string, std::vector<fs::path>> byExtension;
     for (const fs::path& file : files)
-        if (file.filename().string().starts_with(begin) && file.extension() == ".csv") found.push_back(file);
-    return found;
+        if (const std::string extension = extensionOf(file); isReadable(extension))
+            byExtension[extension].push_back(file);
+    for (const auto& [extension, some] : byExtension)
+        if (some.size() > sequence.clouds.size()) sequence.clouds = some;
 }
 
 }  // namespace
@@ -59,10 +79,11 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
 
 Result<SequenceFiles> sequenceFiles(const fs::path& folder, const fs::path& truth) {
     std::error_code problem;
+    std::error_code ignored;
     std::vector<fs::path> files;
     for (auto entry = fs::directory_iterator(folder, problem); !problem && entry != fs::directory_iterator();
          entry.increment(problem))
-        if (entry->is_regular_file() && !fs::equivalent(entry->path(), truth, problem))
+        if (entry->is_regular_file() && !fs::equivalent(entry->path(), truth, ignored))
             files.push_back(entry->path());
     if (problem)
         return fail(ErrorCode::input, "the folder cannot be read", folder.string(), problem.message());
@@ -70,13 +91,12 @@ Result<SequenceFiles> sequenceFiles(const fs::path& folder, const fs::path& trut
         return naturallyBefore(a.filename().string(), b.filename().string());
     });
     SequenceFiles sequence;
-    sequence.clouds = named(files, "Hokuyo_");
+    takeNumbered(files, "Hokuyo_", sequence);
     if (sequence.clouds.empty()) {
-        sequence.clouds = named(files, "PointCloud");
+        takeNumbered(files, "PointCloud", sequence);
         sequence.inWorldFrame = !sequence.clouds.empty();
     }
-    if (sequence.clouds.empty())
-        std::copy_if(files.begin(), files.end(), std::back_inserter(sequence.clouds), isReadable);
+    if (sequence.clouds.empty()) takeMostFrequent(files, sequence);
     if (sequence.clouds.size() < 2)
         return fail(ErrorCode::input, "there are fewer than two clouds", folder.string(),
                     "expected Hokuyo_N.csv, PointCloudN.csv or clouds of any readable format");

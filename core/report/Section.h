@@ -40,7 +40,19 @@ struct BarChart {
     };
     std::vector<Series> series;
 };
-using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart>;
+/// Values against a size; both axes logarithmic, so values are positive (others are left out).
+struct LineChart {
+    std::string caption;
+    std::string xName;  ///< with unit: "Voxel (m)"
+    std::string yName;
+    struct Series {
+        std::string name;
+        std::vector<std::pair<double, double>> points;  ///< x, y; ascending or descending in x
+        bool dashed = false;                            ///< what others published, beside what was measured
+    };
+    std::vector<Series> series;
+};
+using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart, LineChart>;
 
 struct Section {
     std::string title;

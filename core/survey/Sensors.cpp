@@ -32,4 +32,19 @@ const HandheldSheet& einScanPro2X() {
     return sheet;
 }
 
+const TiltingLidarSheet& hokuyoUtm30Lx() {
+    static const TiltingLidarSheet sheet{.name = "Hokuyo UTM-30LX",
+                                         .fieldOfView_rad = radians(270),
+                                         .linesPerSecond = 40,
+                                         .nearest_m = 0.1,
+                                         .farthest_m = 30,
+                                         .noiseNear_m = 0.010,
+                                         .noiseFar_m = 0.030,
+                                         .nearEnd_m = 10,
+                                         .divergence_rad = radians(0.76),
+                                         .rangeResolution_m = 0.4,
+                                         .leastReflectance = 0.2};
+    return sheet;
+}
+
 }  // namespace vestige

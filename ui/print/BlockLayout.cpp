@@ -4,9 +4,11 @@
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "core/base/Result.h"
+#include "ui/charts/LineChart.h"
 #include "ui/charts/ReChart.h"
 
 namespace vestige {
@@ -143,16 +145,17 @@ void layoutPictures(PageFlow& flow, const std::vector<const Picture*>& row) {
     flow.space(dotsFromMm(3.5));
 }
 
-void layout(PageFlow& flow, const BarChart& chart) {
+/// A chart of this height with its caption below; `paint` draws it into a rectangle.
+void layoutChart(PageFlow& flow, const std::string& words, double height,
+                 std::function<void(QPainter&, const QRectF&, const ChartStyle&)> paint) {
     const PageStyle style = flow.style();
     const QFont captionFont = style.font(8);
-    const QStringList caption = wrapText(qt(chart.caption), captionFont, flow.width());
+    const QStringList caption = wrapText(qt(words), captionFont, flow.width());
     const double line = 1.18 * QFontMetricsF(captionFont).height();
-    const double height = dotsFromMm(82);
     const double width = flow.width();
     flow.place(height + caption.size() * line + dotsFromMm(1.6), [=](QPainter& painter, const QPointF& at) {
-        paintReChart(painter, QRectF(at, QSizeF(width, height)), chart,
-                     paperChartStyle(style.font(7.5), dotsFromPoints(0.75)));
+        paint(painter, QRectF(at, QSizeF(width, height)),
+              paperChartStyle(style.font(7.5), dotsFromPoints(0.75)));
         painter.setClipping(false);
         painter.setFont(captionFont);
         painter.setPen(style.muted);
@@ -160,6 +163,20 @@ void layout(PageFlow& flow, const BarChart& chart) {
             painter.drawText(QPointF(at.x(), at.y() + height + dotsFromMm(1) + (i + 0.8) * line), caption[i]);
     });
     flow.space(dotsFromMm(3.5));
+}
+
+void layout(PageFlow& flow, const BarChart& chart) {
+    layoutChart(flow, chart.caption, dotsFromMm(82),
+                [=](QPainter& painter, const QRectF& area, const ChartStyle& style) {
+                    paintReChart(painter, area, chart, style);
+                });
+}
+
+void layout(PageFlow& flow, const LineChart& chart) {
+    layoutChart(flow, chart.caption, dotsFromMm(66),
+                [=](QPainter& painter, const QRectF& area, const ChartStyle& style) {
+                    paintLineChart(painter, area, chart, style);
+                });
 }
 
 void layout(PageFlow& flow, const Table& table) {

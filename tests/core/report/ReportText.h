@@ -25,6 +25,10 @@ inline void appendText(std::string& text, const Picture& block) {
 inline void appendText(std::string& text, const BarChart& block) {
     text += block.caption + "\n";
 }
+inline void appendText(std::string& text, const LineChart& block) {
+    text += block.caption + "\n";
+    for (const auto& series : block.series) text += series.name + "\n";
+}
 
 /// Everything that a report says, in its order.
 inline std::string textOf(const Report& report) {

@@ -1,0 +1,75 @@
+#include "app/cli/EvaluateOutputs.h"
+
+#include <ctime>
+#include <optional>
+
+#include "app/offscreen/OffscreenApplication.h"
+#include "core/base/AtomicFile.h"
+#include "core/evaluation/SequenceCsv.h"
+#include "core/report/SequenceCharts.h"
+#include "ui/print/ChartFile.h"
+#include "ui/print/PdfPrinter.h"
+
+namespace vestige::cli {
+namespace {
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+/// A file that waits under its temporary name until all others stand.
+class Waiting {
+  public:
+    explicit Waiting(const std::string& place) {
+        if (!place.empty()) file_.emplace(place);
+    }
+    bool wanted() const { return file_.has_value(); }
+    Status write(const std::string& text) {
+        if (!file_) return {};
+        if (const Status opened = file_->open(); !opened) return opened;
+        file_->write(text);
+        return {};
+    }
+    /// For writers that take a path and replace the file at once.
+    const std::filesystem::path& path() const { return file_->temporaryPath(); }
+    Status commit() { return file_ ? file_->commit() : Status{}; }
+
+  private:
+    std::optional<AtomicFile> file_;
+};
+
+}  // namespace
+
+Status checkOutputs(const EvaluateOutputs& outputs) {
+    if (!outputs.chart.empty() && !isChartFile(outputs.chart))
+        return fail(ErrorCode::usage, "a chart cannot be written in this format", outputs.chart,
+                    "expected .png or .svg");
+    return {};
+}
+
+Status writeOutputs(const EvaluateOutputs& outputs, SequenceReportInput found, const JobControl& control) {
+    found.date = today();
+    Waiting csv(outputs.csv), pairs(outputs.pairs), chart(outputs.chart), pdf(outputs.pdf);
+    for (const Status& written : {csv.write(sequenceCsv(found.scores)), pairs.write(pairsCsv(found.scores)),
+                                  chart.write({}), pdf.write({})})
+        if (!written) return written;
+    if (chart.wanted() || pdf.wanted()) {
+        const OffscreenApplication application;
+        if (chart.wanted())
+            if (const Status drawn = writeCharts(sequenceCharts(found.scores), chart.path()); !drawn)
+                return drawn;
+        if (pdf.wanted())
+            if (const Status set = PdfPrinter().printPdf(sequenceReport(found), pdf.path(), control); !set)
+                return set;
+    }
+    for (Waiting* file : {&csv, &pairs, &chart, &pdf})
+        if (const Status placed = file->commit(); !placed) return placed;
+    return {};
+}
+
+}  // namespace vestige::cli
