@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLargestStart_m = 4;
 constexpr double kPaperStart_m = 1;  // the largest size of the publication's table 2
+constexpr double kPaperTrustRadius_m = 0.1;
 constexpr double kFloor_m = 0.1;
 constexpr double kPeerVoxel_m = 1;
 /// A first pose that is known needs no cells that reach further than it may be off, 2 sigma to either side.
@@ -28,10 +29,10 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
                                                                        kSmallestKnownStart * sourceRadius_m));
     options.voxel_m = parameters.optionalReal("voxel_m");
     // A small thing needs smaller cells than a street.
-    options.voxelFloor_m = std::min(kFloor_m, options.voxelStart_m / 20);
+    options.voxelFloor_m = paper ? std::min(kFloor_m, options.voxelStart_m / 20) : options.voxelStart_m / 16;
     options.leaf_m = parameters.optionalReal("leaf_m");
-    options.coarserCells = !paper;
-    options.shiftedGrids = paper ? 1 : 4;
+    options.published = paper;
+    if (!paper && (startError_m || sourceRadius_m < 2)) options.shiftedGrids = 4;
     if (startError_m && !paper)
         options.voxelFloor_m = std::max(options.voxelFloor_m,
                                         std::min(options.voxelStart_m, kSmallestKnownStart * sourceRadius_m));
@@ -42,7 +43,8 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
     const auto noise_m = parameters.optionalReal("range_noise_m");
     options.distributions.rangeNoise_m = noise_m.value_or(0);
     options.estimateNoise = startError_m && !noise_m && !paper;
-    options.trustRegion.startRadius_m = parameters.real("trust_radius_m");
+    options.trustRadius_m = parameters.optionalReal("trust_radius_m");
+    if (paper && !options.trustRadius_m) options.trustRadius_m = kPaperTrustRadius_m;
     options.trustRegion.damping = parameters.real("damping");
     options.trustRegion.gradientLimit = parameters.real("gradient_limit");
     options.trustRegion.stepLimit_m = parameters.real("step_limit_m");

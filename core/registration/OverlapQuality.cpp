@@ -1,127 +1,59 @@
 #include "core/registration/OverlapQuality.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include "core/base/Parallel.h"
 
 namespace vestige {
-namespace {
 
-/// Points by voxel: the points of one voxel are consecutive.
-class PointsByVoxel {
-  public:
-    PointsByVoxel(std::span<const CellMoments> points, double size) : grid_(size), points_(points) {
-        entries_.reserve(points.size());
-        for (std::uint32_t i = 0; i < points.size(); ++i)
-            entries_.push_back({keyOf(points[i].meanVector()), i});
-        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-            return a.key != b.key ? a.key < b.key : a.point < b.point;
-        });
-    }
-    std::uint64_t keyOf(const Eigen::Vector3d& x) const { return grid_.key(x.x(), x.y(), x.z()); }
-
-    /// The points within a voxel's edge of x.
-    void near(const Eigen::Vector3d& x, std::vector<Eigen::Vector3d>& found) const {
-        found.clear();
-        const double limit = grid_.size() * grid_.size();
-        const std::uint64_t middle = keyOf(x);
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy) {
-                // Neighbours along x have consecutive keys.
-                const std::uint64_t first = VoxelGrid::neighbour(middle, -1, dy, dz);
-                if (first == VoxelGrid::kNoKey) continue;
-                auto entry = std::lower_bound(entries_.begin(), entries_.end(), first,
-                                              [](const Entry& e, std::uint64_t key) { return e.key < key; });
-                for (; entry != entries_.end() && entry->key <= first + 2; ++entry) {
-                    const Eigen::Vector3d point = points_[entry->point].meanVector();
-                    if ((point - x).squaredNorm() <= limit) found.push_back(point);
-                }
-            }
-    }
-    std::size_t voxels() const {
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < entries_.size(); ++i)
-            count += i == 0 || entries_[i].key != entries_[i - 1].key;
-        return count;
-    }
-
-  private:
-    struct Entry {
-        std::uint64_t key;
-        std::uint32_t point;
-    };
-    VoxelGrid grid_;
-    std::span<const CellMoments> points_;
-    std::vector<Entry> entries_;
-};
-
-/// See overlapQuality; `near` is not empty.
-double distanceToSurface(const Eigen::Vector3d& x, const std::vector<Eigen::Vector3d>& near) {
-    constexpr std::size_t kPlanePoints = 6;
-    constexpr double kPlaneWidth = 0.1;
-    double nearest = std::numeric_limits<double>::infinity();
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& point : near) {
-        nearest = std::min(nearest, (point - x).squaredNorm());
-        mean += point;
-    }
-    nearest = std::sqrt(nearest);
-    if (near.size() < kPlanePoints) return nearest;
-    mean /= static_cast<double>(near.size());
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const Eigen::Vector3d& point : near) scatter += (point - mean) * (point - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-    if (solver.eigenvalues()[1] < kPlaneWidth * solver.eigenvalues()[2]) return nearest;
-    return std::min(nearest, std::abs(solver.eigenvectors().col(0).dot(x - mean)));
+std::vector<float> surfaceDistances(std::span<const NormalDistributions> surfaces,
+                                    const CentredSource& source, const Pose& pose) {
+    std::vector<const NormalDistributions*> levels;
+    for (std::size_t level = surfaces.size(); level-- > 0;) levels.push_back(&surfaces[level]);
+    const PointLanes points(source.points);
+    std::vector<float> distances(points.x.size());
+    parallelFor(points.count, 1024, [&](std::size_t begin, std::size_t end) {
+        surfaceDistancesOf(levels, points, begin, end, pose, distances.data());
+    });
+    distances.resize(points.count);
+    return distances;
 }
 
-struct Inliers {
-    std::size_t count = 0;
+double typicalDistance(std::vector<float> distances) {
+    constexpr double kMedianOfNormal = 0.6744897501960817;
+    std::erase_if(distances, [](float distance) { return !std::isfinite(distance); });
+    if (distances.empty()) return 0;
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    return static_cast<double>(*middle) / kMedianOfNormal;
+}
+
+void setOverlap(RegistrationResult& result, std::span<const NormalDistributions> surfaces,
+                const CentredSource& source, const Pose& pose) {
+    const std::vector<float> distances = surfaceDistances(surfaces, source, pose);
+    const NormalDistributions& cells = surfaces[surfaces.size() > 1 ? surfaces.size() - 2 : 0];
+    const NormalCell* const table = cells.table();
+    std::vector<char> hit(cells.mask() + std::size_t{1}, 0);
+    std::size_t inliers = 0, hits = 0;
     double squares = 0;
-    std::vector<std::uint64_t> voxels;
-    Inliers& operator+=(const Inliers& other) {
-        count += other.count;
-        squares += other.squares;
-        voxels.insert(voxels.end(), other.voxels.begin(), other.voxels.end());
-        return *this;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const auto distance = static_cast<double>(distances[i]);
+        if (!(distance <= result.inlierDistance_m)) continue;
+        ++inliers;
+        squares += distance * distance;
+        const Eigen::Vector3d x = pose * source.points[i].cast<double>();
+        const NormalCell* cell = cells.find(x.x(), x.y(), x.z());
+        if (cell == nullptr || hit[static_cast<std::size_t>(cell - table)] != 0) continue;
+        hit[static_cast<std::size_t>(cell - table)] = 1;
+        ++hits;
     }
-};
-
-}  // namespace
-
-OverlapQuality overlapQuality(std::span<const CellMoments> target, const CentredSource& source,
-                              const Pose& pose, double inlierDistance_m) {
-    const PointsByVoxel index(target, inlierDistance_m);
-    Inliers inliers =
-        parallelSum(source.points.size(), 256, Inliers{}, [&](std::size_t begin, std::size_t end) {
-            Inliers part;
-            std::vector<Eigen::Vector3d> near;
-            for (std::size_t i = begin; i < end; ++i) {
-                const Eigen::Vector3d x = pose * source.points[i].cast<double>();
-                index.near(x, near);
-                if (near.empty()) continue;
-                const double distance = distanceToSurface(x, near);
-                ++part.count;
-                part.squares += distance * distance;
-                part.voxels.push_back(index.keyOf(x));
-            }
-            return part;
-        });
-    OverlapQuality quality;
-    if (inliers.count == 0) return quality;
-    std::sort(inliers.voxels.begin(), inliers.voxels.end());
-    const auto last = std::unique(inliers.voxels.begin(), inliers.voxels.end());
-    const auto share = [](auto part, auto whole) {
-        return static_cast<double>(part) / static_cast<double>(whole);
+    const auto share = [](std::size_t part, std::size_t whole) {
+        return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
     };
-    quality.sourceShare = share(inliers.count, source.points.size());
-    quality.targetShare = std::min(1.0, share(last - inliers.voxels.begin(), index.voxels()));
-    quality.rmse_m = std::sqrt(inliers.squares / static_cast<double>(inliers.count));
-    return quality;
+    result.overlap = share(inliers, distances.size());
+    result.targetOverlap = share(hits, cells.size());
+    result.rmse_m = inliers == 0 ? 0 : std::sqrt(squares / static_cast<double>(inliers));
 }
 
 }  // namespace vestige

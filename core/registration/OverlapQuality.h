@@ -1,24 +1,25 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "core/registration/ndt/CellMoments.h"
+#include "core/registration/RegistrationResult.h"
 #include "core/registration/ndt/NdtScore.h"
 
 namespace vestige {
 
-/// How well a registered source lies on its target.
-struct OverlapQuality {
-    double sourceShare = 0;  ///< of the source's points that are inliers
-    double targetShare = 0;  ///< of the target's voxels (edge: the inlier distance) that hold an inlier
-    double rmse_m = 0;       ///< of the inliers' distances
-};
+/// Distance of each source point to the target's surface, metres: across the smallest cell that holds it (its
+/// plane, where it is flat). Infinite where no cell does. `surfaces` runs from large to small; `pose` maps
+/// the centred source into the target's frame.
+std::vector<float> surfaceDistances(std::span<const NormalDistributions> surfaces,
+                                    const CentredSource& source, const Pose& pose);
 
-/// A source point is an inlier when a target point is within `inlierDistance_m`; `target` are voxel centroids
-/// much finer than that. Its distance counts from the plane through the target points within that distance
-/// where they span one, but never more than to the nearest of them. `pose` maps the centred source into the
-/// target's frame.
-OverlapQuality overlapQuality(std::span<const CellMoments> target, const CentredSource& source,
-                              const Pose& pose, double inlierDistance_m);
+/// The standard deviation of finite distances as their median tells it; 0 when there is none.
+double typicalDistance(std::vector<float> distances);
+
+/// Sets overlap, targetOverlap and rmse_m: a source point is an inlier when its distance is at most
+/// `inlierDistance_m`; the target's share counts its cells of twice the smallest size that hold an inlier.
+void setOverlap(RegistrationResult& result, std::span<const NormalDistributions> surfaces,
+                const CentredSource& source, const Pose& pose);
 
 }  // namespace vestige

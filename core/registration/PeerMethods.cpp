@@ -32,12 +32,10 @@ Result<RegistrationResult> peerMethod(const RegistrationFrame& frame, const Simi
     result.iterations = outcome.iterations;
     result.voxelSchedule_m = {options.voxel_m};
     result.inlierDistance_m = options.voxel_m / 2 + 3 * options.rangeNoise_m;
-    const MomentPyramid pyramid(frame.target(), options.voxel_m, options.voxel_m);
-    const OverlapQuality quality = overlapQuality(pyramid.finerThan(result.inlierDistance_m / 4), source,
-                                                  outcome.targetFromSource, result.inlierDistance_m);
-    result.overlap = quality.sourceShare;
-    result.targetOverlap = quality.targetShare;
-    result.rmse_m = quality.rmse_m;
+    const VoxelGrid grid(options.voxel_m / 4);
+    const std::vector<NormalDistributions> surfaces{
+        NormalDistributions(gatherPoints(frame.target(), grid), grid, {})};
+    setOverlap(result, surfaces, source, outcome.targetFromSource);
     return result;
 }
 

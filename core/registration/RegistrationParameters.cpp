@@ -67,7 +67,8 @@ const ParameterTable& registrationParameters() {
          0.0001,
          100.0,
          {},
-         "One source point per voxel of this edge; automatic: half the smallest voxel (ICP: an eighth)."},
+         "One source point per voxel of this edge; automatic: the smallest voxel, half of it as published "
+         "and for ndt (ICP: an eighth)."},
         {"outlier_ratio",
          "outlier-ratio",
          "Outlier ratio",
@@ -106,11 +107,13 @@ const ParameterTable& registrationParameters() {
          "First trust radius",
          "m",
          real,
-         0.1,
+         std::monostate{},
          1e-6,
          100.0,
          {},
-         "Bound of the first Newton step at each voxel size, never above the voxel."},
+         "Bound of the first Newton step at each voxel size, never above the voxel; automatic: a quarter of "
+         "the "
+         "voxel, as published 0.1 m."},
         {"damping",
          "damping",
          "Damping",

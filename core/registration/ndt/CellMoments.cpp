@@ -1,5 +1,9 @@
 #include "core/registration/ndt/CellMoments.h"
 
+#include <immintrin.h>
+
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 
 #include "core/base/Parallel.h"
@@ -9,66 +13,88 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kGrain = 16384;
+constexpr int kBlockBits = 4;
 
 /// Sums round the centre of a voxel, in double: small numbers, so that nothing cancels.
-struct Sums {
-    std::uint64_t key;
-    double count = 0;
-    std::array<double, 3> first{};
-    std::array<double, 6> second{};
+struct alignas(32) Sums {
+    std::array<double, 4> first{};   // x, y, z, count
+    std::array<double, 4> second{};  // xx, xy, xz, yy
+    std::array<double, 2> rest{};    // yz, zz
+    std::uint64_t key = VoxelGrid::kNoKey;
 };
+
+__m128 threeFloats(const float* from) {
+    return _mm_maskload_ps(from, _mm_setr_epi32(-1, -1, -1, 0));
+}
 
 struct PointInput {
     std::span<const Eigen::Vector3f> points;
     std::size_t size() const { return points.size(); }
-    std::uint64_t key(const VoxelGrid& grid, std::size_t i) const {
-        return grid.key(points[i].x(), points[i].y(), points[i].z());
+    /// VoxelGrid::key, the axes at once.
+    void keys(const VoxelGrid& grid, std::size_t begin, std::size_t end, std::uint64_t* keys) const {
+        const __m256d shift = _mm256_set1_pd(grid.shift()), scale = _mm256_set1_pd(grid.perMetre());
+        const __m128i half = _mm_set1_epi32(static_cast<int>(VoxelGrid::kHalf));
+        const __m128i outside = _mm_set1_epi32(~static_cast<int>(VoxelGrid::kMask));
+        for (std::size_t i = begin; i < end; ++i) {
+            const __m256d x = _mm256_cvtps_pd(threeFloats(points[i].data()));
+            const __m128i index = _mm_add_epi32(
+                _mm256_cvttpd_epi32(_mm256_floor_pd(_mm256_mul_pd(_mm256_add_pd(x, shift), scale))), half);
+            const auto low = static_cast<std::uint64_t>(_mm_cvtsi128_si64(index));
+            const auto z = static_cast<std::uint64_t>(_mm_extract_epi32(index, 2));
+            const std::uint64_t key = (low & 0xffffffff) | low >> 32 << 21 | z << 42;
+            keys[i] = _mm_testz_si128(index, outside) != 0 ? key : VoxelGrid::kNoKey;
+        }
     }
-    void addTo(Sums& sums, const VoxelGrid& grid, std::size_t i) const {
-        const double x = points[i].x() - grid.centreX(sums.key);
-        const double y = points[i].y() - grid.centreY(sums.key);
-        const double z = points[i].z() - grid.centreZ(sums.key);
-        sums.count += 1;
-        sums.first[0] += x;
-        sums.first[1] += y;
-        sums.first[2] += z;
-        sums.second[0] += x * x;
-        sums.second[1] += x * y;
-        sums.second[2] += x * z;
-        sums.second[3] += y * y;
-        sums.second[4] += y * z;
-        sums.second[5] += z * z;
+    void addTo(Sums& sums, const VoxelGrid& grid, std::span<const std::uint32_t> items) const {
+        const __m256d centre =
+            _mm256_setr_pd(grid.centreX(sums.key), grid.centreY(sums.key), grid.centreZ(sums.key), -1);
+        __m256d first = _mm256_load_pd(sums.first.data());
+        __m256d second = _mm256_load_pd(sums.second.data());
+        __m128d rest = _mm_load_pd(sums.rest.data());
+        for (const std::uint32_t i : items) {
+            const __m256d x = _mm256_sub_pd(_mm256_cvtps_pd(threeFloats(points[i].data())), centre);
+            first = _mm256_add_pd(first, x);
+            const __m256d xxxy = _mm256_permute4x64_pd(x, 0b01'00'00'00);
+            const __m256d xyzy = _mm256_permute4x64_pd(x, 0b01'10'01'00);
+            second = _mm256_add_pd(second, _mm256_mul_pd(xxxy, xyzy));
+            const __m128d z = _mm_permute_pd(_mm256_extractf128_pd(x, 1), 0);
+            const __m128d yz = _mm_shuffle_pd(_mm256_castpd256_pd128(x), z, 0b01);
+            rest = _mm_add_pd(rest, _mm_mul_pd(yz, z));
+        }
+        _mm256_store_pd(sums.first.data(), first);
+        _mm256_store_pd(sums.second.data(), second);
+        _mm_store_pd(sums.rest.data(), rest);
     }
 };
 
 struct CellInput {
     std::span<const CellMoments> cells;
     std::size_t size() const { return cells.size(); }
-    std::uint64_t key(const VoxelGrid& grid, std::size_t i) const {
-        return grid.key(cells[i].mean[0], cells[i].mean[1], cells[i].mean[2]);
+    void keys(const VoxelGrid& grid, std::size_t begin, std::size_t end, std::uint64_t* keys) const {
+        for (std::size_t i = begin; i < end; ++i)
+            keys[i] = grid.key(cells[i].mean[0], cells[i].mean[1], cells[i].mean[2]);
     }
-    void addTo(Sums& sums, const VoxelGrid& grid, std::size_t i) const {
-        const CellMoments& cell = cells[i];
-        const double n = cell.count;
-        const double x = cell.mean[0] - grid.centreX(sums.key);
-        const double y = cell.mean[1] - grid.centreY(sums.key);
-        const double z = cell.mean[2] - grid.centreZ(sums.key);
-        sums.count += n;
-        sums.first[0] += n * x;
-        sums.first[1] += n * y;
-        sums.first[2] += n * z;
-        sums.second[0] += cell.scatter[0] + n * x * x;
-        sums.second[1] += cell.scatter[1] + n * x * y;
-        sums.second[2] += cell.scatter[2] + n * x * z;
-        sums.second[3] += cell.scatter[3] + n * y * y;
-        sums.second[4] += cell.scatter[4] + n * y * z;
-        sums.second[5] += cell.scatter[5] + n * z * z;
+    void addTo(Sums& sums, const VoxelGrid& grid, std::span<const std::uint32_t> items) const {
+        const double cx = grid.centreX(sums.key), cy = grid.centreY(sums.key), cz = grid.centreZ(sums.key);
+        for (const std::uint32_t i : items) {
+            const CellMoments& cell = cells[i];
+            const double n = cell.count;
+            const double x = cell.mean[0] - cx, y = cell.mean[1] - cy, z = cell.mean[2] - cz;
+            const double add[4] = {n * x, n * y, n * z, n};
+            const double addSecond[4] = {cell.scatter[0] + n * x * x, cell.scatter[1] + n * x * y,
+                                         cell.scatter[2] + n * x * z, cell.scatter[3] + n * y * y};
+            for (std::size_t k = 0; k < 4; ++k) {
+                sums.first[k] += add[k];
+                sums.second[k] += addSecond[k];
+            }
+            sums.rest[0] += cell.scatter[4] + n * y * z;
+            sums.rest[1] += cell.scatter[5] + n * z * z;
+        }
     }
 };
 
 CellMoments finished(const Sums& sums, const VoxelGrid& grid) {
-    const double n = sums.count;
-    const auto& [x, y, z] = sums.first;
+    const auto& [x, y, z, n] = sums.first;
     const auto toFloat = [](double value) { return static_cast<float>(value); };
     return {sums.key,
             static_cast<std::uint32_t>(n),
@@ -76,74 +102,74 @@ CellMoments finished(const Sums& sums, const VoxelGrid& grid) {
              toFloat(grid.centreZ(sums.key) + z / n)},
             {toFloat(sums.second[0] - x * x / n), toFloat(sums.second[1] - x * y / n),
              toFloat(sums.second[2] - x * z / n), toFloat(sums.second[3] - y * y / n),
-             toFloat(sums.second[4] - y * z / n), toFloat(sums.second[5] - z * z / n)}};
+             toFloat(sums.rest[0] - y * z / n), toFloat(sums.rest[1] - z * z / n)}};
 }
 
 /// Open addressing from key to the place in a growing list.
 class KeyIndex {
   public:
-    KeyIndex() : slots_(64, {VoxelGrid::kNoKey, 0}) {}
+    explicit KeyIndex(std::size_t expected)
+        : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), kFree) {}
     std::uint32_t placeOf(std::uint64_t key, std::vector<Sums>& sums) {
-        if (2 * (sums.size() + 1) > slots_.size()) grow();
+        if (2 * (sums.size() + 1) > slots_.size()) grow(sums);
         std::size_t slot = VoxelGrid::hash(key) & (slots_.size() - 1);
-        while (slots_[slot].key != key) {
-            if (slots_[slot].key == VoxelGrid::kNoKey) {
-                slots_[slot] = {key, static_cast<std::uint32_t>(sums.size())};
-                sums.push_back({key, 0, {}, {}});
-                break;
-            }
-            slot = (slot + 1) & (slots_.size() - 1);
-        }
-        return slots_[slot].place;
+        for (; slots_[slot] != kFree; slot = (slot + 1) & (slots_.size() - 1))
+            if (sums[slots_[slot]].key == key) return slots_[slot];
+        slots_[slot] = static_cast<std::uint32_t>(sums.size());
+        sums.emplace_back().key = key;
+        return slots_[slot];
     }
 
   private:
-    struct Slot {
-        std::uint64_t key;
-        std::uint32_t place;
-    };
-    void grow() {
-        std::vector<Slot> old(2 * slots_.size(), {VoxelGrid::kNoKey, 0});
-        old.swap(slots_);
-        for (const Slot& one : old) {
-            if (one.key == VoxelGrid::kNoKey) continue;
-            std::size_t slot = VoxelGrid::hash(one.key) & (slots_.size() - 1);
-            while (slots_[slot].key != VoxelGrid::kNoKey) slot = (slot + 1) & (slots_.size() - 1);
-            slots_[slot] = one;
+    static constexpr std::uint32_t kFree = ~std::uint32_t{0};
+    void grow(const std::vector<Sums>& sums) {
+        slots_.assign(2 * slots_.size(), kFree);
+        for (std::uint32_t place = 0; place < sums.size(); ++place) {
+            std::size_t slot = VoxelGrid::hash(sums[place].key) & (slots_.size() - 1);
+            while (slots_[slot] != kFree) slot = (slot + 1) & (slots_.size() - 1);
+            slots_[slot] = place;
         }
     }
-    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> slots_;
 };
 
+/// The cells of some items, in the order of their first item.
 template <class Input>
 std::vector<CellMoments> gatherBucket(const Input& input, const VoxelGrid& grid,
                                       std::span<const std::uint32_t> items,
-                                      std::span<const std::uint64_t> keys) {
-    KeyIndex index;
+                                      const std::vector<std::uint64_t>& keys) {
     std::vector<Sums> sums;
-    for (const std::uint32_t i : items) input.addTo(sums[index.placeOf(keys[i], sums)], grid, i);
+    sums.reserve(items.size() / 8 + 16);
+    KeyIndex index(std::min<std::size_t>(items.size(), 4096));
+    // Neighbours in a scan mostly share their cell.
+    for (std::size_t from = 0, to = 0; from < items.size(); from = to) {
+        const std::uint64_t key = keys[items[from]];
+        while (to < items.size() && keys[items[to]] == key) ++to;
+        input.addTo(sums[index.placeOf(key, sums)], grid, items.subspan(from, to - from));
+    }
     std::vector<CellMoments> cells;
     cells.reserve(sums.size());
     for (const Sums& one : sums) cells.push_back(finished(one, grid));
     return cells;
 }
 
-/// Items go to buckets by their key's hash, in input order; a bucket holds all items of its voxels, so each
-/// voxel's sum runs in input order whatever thread has the bucket.
+/// Items are first sorted (counting sort, stable) into buckets by the block of space that holds their cell;
+/// then each bucket is gathered on its own, in the items' order, so threads do not change the sums, and cells
+/// near each other in space are near in memory.
 template <class Input>
 std::vector<CellMoments> gather(const Input& input, const VoxelGrid& grid) {
     const std::size_t count = input.size();
-    const std::size_t buckets = count < 2 * kGrain ? 1 : count < 64 * kGrain ? 16 : 256;
+    const std::size_t buckets = count < 2 * kGrain ? 1 : count < 32 * kGrain ? 32 : 256;
     const std::size_t chunks = (count + kGrain - 1) / kGrain;
-    const auto bucketOf = [&](std::uint64_t key) { return (VoxelGrid::hash(key) >> 40) % buckets; };
-
+    const auto bucketOf = [&](std::uint64_t key) {
+        return VoxelGrid::hash(VoxelGrid::block(key, kBlockBits)) & (buckets - 1);
+    };
     std::vector<std::uint64_t> keys(count);
     std::vector<std::uint32_t> places(chunks * buckets, 0);
     parallelChunks(count, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            keys[i] = input.key(grid, i);
+        input.keys(grid, begin, end, keys.data());
+        for (std::size_t i = begin; i < end; ++i)
             if (keys[i] != VoxelGrid::kNoKey) ++places[bucketOf(keys[i]) * chunks + chunk];
-        }
     });
     std::uint32_t total = 0;
     for (std::uint32_t& place : places) {
@@ -167,7 +193,11 @@ std::vector<CellMoments> gather(const Input& input, const VoxelGrid& grid) {
                 input, grid, std::span(items).subspan(begins[bucket], begins[bucket + 1] - begins[bucket]),
                 keys);
     });
+    if (buckets == 1) return std::move(parts.front());
+    std::size_t found = 0;
+    for (const auto& part : parts) found += part.size();
     std::vector<CellMoments> cells;
+    cells.reserve(found);
     for (const auto& part : parts) cells.insert(cells.end(), part.begin(), part.end());
     return cells;
 }
@@ -190,20 +220,32 @@ std::vector<CellMoments> gatherCells(std::span<const CellMoments> cells, const V
 }
 
 MomentPyramid::MomentPyramid(std::span<const Eigen::Vector3f> points, double finest, double coarsest)
-    : baseSize_(finest / 4) {
+    : baseSize_(finest) {
     stages_.push_back(gatherPoints(points, VoxelGrid(baseSize_)));
-    for (double size = 2 * baseSize_; size <= coarsest / 4; size *= 2)
+    for (double size = 2 * baseSize_; size <= coarsest * (1 + 1e-9); size *= 2)
         stages_.push_back(gatherCells(stages_.back(), VoxelGrid(size)));
 }
 
-std::span<const CellMoments> MomentPyramid::finerThan(double size) const {
+const std::vector<CellMoments>& MomentPyramid::finerThan(double size) const {
     std::size_t stage = 0;
     while (stage + 1 < stages_.size() && std::ldexp(baseSize_, static_cast<int>(stage) + 1) <= size) ++stage;
     return stages_[stage];
 }
 
+const std::vector<CellMoments>* MomentPyramid::stage(const VoxelGrid& grid) const {
+    if (grid.shift() != 0) return nullptr;
+    const std::vector<CellMoments>& nearest = finerThan(grid.size() * (1 + 1e-9));
+    const auto level = static_cast<int>(&nearest - stages_.data());
+    return std::abs(std::ldexp(baseSize_, level) - grid.size()) <= 1e-9 * grid.size() ? &nearest : nullptr;
+}
+
 std::vector<CellMoments> MomentPyramid::at(const VoxelGrid& grid) const {
-    return gatherCells(finerThan(grid.size() / 4), grid);
+    const std::vector<CellMoments>* const same = stage(grid);
+    if (same != nullptr) return *same;
+    // Shifted by half a cell, stages still nest.
+    const VoxelGrid half(grid.size() / 2);
+    const std::vector<CellMoments>* const nested = grid.shift() == half.size() ? stage(half) : nullptr;
+    return gatherCells(nested != nullptr ? *nested : finerThan(grid.size() / 4), grid);
 }
 
 }  // namespace vestige

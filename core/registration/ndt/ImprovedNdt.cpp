@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/Numbers.h"
 #include "core/registration/OverlapQuality.h"
-#include "core/registration/ndt/VoxelSchedule.h"
+#include "core/registration/ndt/TargetLevels.h"
 
 namespace vestige {
 namespace {
@@ -13,135 +12,133 @@ constexpr std::size_t kFewestPoints = 10;
 /// A level needs no finer source than this share of its voxel (METHOD section 2: the coarser levels of the
 /// thinning serve registration).
 constexpr double kSourcePerVoxel = 1.0 / 8;
+/// Before the last level a pose is good enough when the next step is shorter than this share of the voxel.
+constexpr double kStepPerVoxel = 1.0 / 1000;
+constexpr double kFirstBound = 1.0 / 4;
 
-struct Levels {
-    std::vector<NormalDistributions> cells;  ///< from v0 to v_n
-    std::vector<std::string> notes;
+/// The source's points at any thinning, gathered once.
+class SourceLevels {
+  public:
+    SourceLevels(const RegistrationFrame& frame, double leaf)
+        : frame_(frame), leaf_(leaf), finest_(gatherPoints(frame.source(), VoxelGrid(leaf))) {}
+
+    CentredSource at(double size) const {
+        return frame_.centred(size > leaf_ ? means(gatherCells(finest_, VoxelGrid(size))) : means(finest_));
+    }
+
+  private:
+    static std::vector<Eigen::Vector3f> means(const std::vector<CellMoments>& cells) {
+        std::vector<Eigen::Vector3f> points;
+        points.reserve(cells.size());
+        for (const CellMoments& cell : cells) points.emplace_back(cell.mean[0], cell.mean[1], cell.mean[2]);
+        return points;
+    }
+
+    const RegistrationFrame& frame_;
+    double leaf_;
+    std::vector<CellMoments> finest_;
 };
 
-/// Steps 1 and 2: the target's distributions at each size of the schedule, v_n chosen where it is not given.
-Levels buildLevels(const MomentPyramid& pyramid, std::size_t targetPoints,
-                   const ImprovedNdtOptions& options) {
-    Levels levels;
-    std::vector<FlatnessCount> counts;
-    const double finest = options.voxel_m.value_or(options.voxelFloor_m);
-    for (const double size : voxelSchedule(std::max(options.voxelStart_m, finest), finest)) {
-        const VoxelGrid grid(size);
-        levels.cells.emplace_back(pyramid.at(grid), grid, options.distributions);
-        counts.push_back(levels.cells.back().flatness());
-        if (!options.voxel_m && pastHalfOfPoints(counts, targetPoints)) break;
+/// One run through the levels.
+class Descent {
+  public:
+    Descent(const RegistrationFrame& frame, const Similarity& initial, const ImprovedNdtOptions& options,
+            const RegistrationWatch& watch, int levels)
+        : frame_(frame), options_(options), watch_(watch), levels_(levels) {
+        result_.targetFromSource = initial;
     }
-    if (options.voxel_m) return levels;
-    const std::size_t chosen = finestByFlatness(counts, targetPoints, options.voxelCeiling_m);
-    levels.cells.erase(levels.cells.begin() + static_cast<std::ptrdiff_t>(chosen) + 1, levels.cells.end());
-    levels.notes.push_back("Smallest voxel " + fixedText(counts[chosen].voxel_m, 3) + " m, where " +
-                           fixedText(100 * counts[chosen].ratio(), 0) + " % of the target's cells are flat");
-    return levels;
-}
 
-/// Copies of the last level's grid, shifted along the diagonal.
-std::vector<NormalDistributions> shiftedLevels(const MomentPyramid& pyramid, double size,
-                                               const ImprovedNdtOptions& options) {
-    std::vector<NormalDistributions> shifted;
-    for (int i = 1; i < options.shiftedGrids; ++i) {
-        const VoxelGrid grid(size, size * i / options.shiftedGrids);
-        shifted.emplace_back(pyramid.at(grid), grid, options.distributions);
+    void level(const NdtScore& score, const CentredSource& source, double voxel, bool last) {
+        TrustRegionOptions trustRegion = options_.trustRegion;
+        trustRegion.largestRadius_m = voxel;
+        trustRegion.startRadius_m = options_.trustRadius_m.value_or(kFirstBound * voxel);
+        if (!last && !options_.published)
+            trustRegion.stepLimit_m = std::max(trustRegion.stepLimit_m, kStepPerVoxel * voxel);
+        const TrustRegionOutcome outcome = minimise([&](const Pose& pose) { return score(pose); },
+                                                    frame_.toLocal(result_.targetFromSource.pose, source),
+                                                    source.radius, trustRegion, observer(source, voxel));
+        result_.targetFromSource.pose = frame_.toWorld(outcome.pose, source);
+        result_.iterations += outcome.iterations;
+        result_.voxelSchedule_m.push_back(voxel);
+        result_.levels.push_back(
+            {voxel, outcome.iterations, outcome.scored.score, outcome.stop, result_.targetFromSource.pose});
     }
-    return shifted;
-}
+    Pose local(const CentredSource& source) const {
+        return frame_.toLocal(result_.targetFromSource.pose, source);
+    }
+    RegistrationResult& result() { return result_; }
 
-/// Mean of the score over a grid and its shifted copies.
-ScoredPose meanScore(const NdtScore& score, const std::vector<NormalDistributions>& shifted,
-                     const Pose& pose) {
-    ScoredPose mean = score(pose);
-    for (const NormalDistributions& grid : shifted) {
-        const ScoredPose other = score.withFinest(grid)(pose);
-        mean.score += other.score;
-        mean.gradient += other.gradient;
-        mean.hessian += other.hessian;
-        mean.inside = std::max(mean.inside, other.inside);
+  private:
+    TrustRegionWatch observer(const CentredSource& source, double voxel) const {
+        if (!watch_) return {};
+        return [this, &source, voxel, level = static_cast<int>(result_.levels.size())](
+                   const TrustRegionOutcome& best, const TrustRegionTrial& trial) {
+            watch_({level,
+                    levels_,
+                    best.iterations,
+                    voxel,
+                    best.scored.score,
+                    trial.bound,
+                    trial.length,
+                    trial.taken,
+                    {frame_.toWorld(best.pose, source), result_.targetFromSource.scale}});
+        };
     }
-    const double share = 1 / static_cast<double>(shifted.size() + 1);
-    mean.score *= share;
-    mean.gradient *= share;
-    mean.hessian *= share;
-    return mean;
-}
+
+    const RegistrationFrame& frame_;
+    const ImprovedNdtOptions& options_;
+    const RegistrationWatch& watch_;
+    int levels_;
+    RegistrationResult result_;
+};
 
 }  // namespace
 
 Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
-                                       const ImprovedNdtOptions& given, const JobControl& control,
+                                       const ImprovedNdtOptions& options, const JobControl& control,
                                        const RegistrationWatch& watch) {
-    ImprovedNdtOptions options = given;
     if (frame.target().size() < kFewestPoints)
         return fail(ErrorCode::untrustworthy, "the target has no surface near the source", {},
                     "give a first pose that lays the source on the target (--init)");
-    const double finest = options.voxel_m.value_or(options.voxelFloor_m);
-    const MomentPyramid pyramid(frame.target(), finest, std::max(options.voxelStart_m, finest));
-    if (options.estimateNoise)
-        options.distributions.rangeNoise_m = surfaceThickness(pyramid.at(VoxelGrid(options.voxelStart_m)));
-    const Levels levels = buildLevels(pyramid, frame.target().size(), options);
+    const TargetLevels levels(frame.target(), options);
     control.progress(0.4, "normal distributions");
-
-    const double smallest = levels.cells.back().grid().size();
-    const double leaf = options.leaf_m.value_or(smallest / 2);
-    const std::vector<Eigen::Vector3f> finestSource = voxelCentroids(frame.source(), leaf);
-    RegistrationResult result;
-    result.notes = levels.notes;
-    if (options.estimateNoise)
-        result.notes.push_back("Range noise of the target taken as " +
-                               fixedText(1000 * options.distributions.rangeNoise_m, 1) + " mm");
-    result.targetFromSource = initial;
+    const double smallest = levels.smallest();
+    const double leaf = options.leaf_m.value_or(options.published ? smallest / 2 : smallest);
+    const SourceLevels sources(frame, leaf);
+    const std::size_t count = levels.wholeLevels() + (options.published ? 0 : 1);
+    Descent descent(frame, initial, options, watch, static_cast<int>(count));
+    const auto advance = [&] {
+        const double done = static_cast<double>(descent.result().levels.size());
+        control.progress(0.4 + 0.5 * done / static_cast<double>(count), "registration");
+        return !control.cancelled();
+    };
+    if (control.cancelled()) return fail(cancelledError());
     CentredSource source;
-    for (std::size_t i = 0; i < levels.cells.size(); ++i) {
-        if (control.cancelled()) return fail(cancelledError());
-        const double voxel = levels.cells[i].grid().size();
-        const double thinning = kSourcePerVoxel * voxel;
-        source = frame.centred(thinning > leaf ? voxelCentroids(finestSource, thinning) : finestSource);
+    for (std::size_t i = 0; i < levels.wholeLevels(); ++i) {
+        const double voxel = levels.size(i);
+        source = sources.at(kSourcePerVoxel * voxel);
         if (source.points.size() < kFewestPoints || !(source.radius > 0))
             return fail(ErrorCode::untrustworthy, "the source has too few points to be registered");
-        const auto cells = std::span(levels.cells).first(i + 1);
-        TrustRegionOptions trustRegion = options.trustRegion;
-        trustRegion.largestRadius_m = voxel;
-        const bool last = i + 1 == levels.cells.size();
-        const auto shifted =
-            last ? shiftedLevels(pyramid, voxel, options) : std::vector<NormalDistributions>{};
-        const NdtScore score(options.coarserCells ? cells : cells.last(1), source);
-        TrustRegionWatch observe;
-        if (watch)
-            observe = [&](const TrustRegionOutcome& best, const TrustRegionTrial& trial) {
-                watch({static_cast<int>(i),
-                       static_cast<int>(levels.cells.size()),
-                       best.iterations,
-                       voxel,
-                       best.scored.score,
-                       trial.bound,
-                       trial.length,
-                       trial.taken,
-                       {frame.toWorld(best.pose, source), initial.scale}});
-            };
-        const TrustRegionOutcome outcome = minimise(
-            [&](const Pose& pose) { return meanScore(score, shifted, pose); },
-            frame.toLocal(result.targetFromSource.pose, source), source.radius, trustRegion, observe);
-        result.targetFromSource.pose = frame.toWorld(outcome.pose, source);
-        result.iterations += outcome.iterations;
-        result.voxelSchedule_m.push_back(voxel);
-        result.levels.push_back(
-            {voxel, outcome.iterations, outcome.scored.score, outcome.stop, result.targetFromSource.pose});
-        control.progress(0.4 + 0.5 * static_cast<double>(i + 1) / static_cast<double>(levels.cells.size()),
-                         "registration");
+        descent.level(NdtScore(levels.seen(i), source), source, voxel, i + 1 == count);
+        if (!advance()) return fail(cancelledError());
     }
+    if (!options.published) source = sources.at(leaf);
+    std::vector<NormalDistributions> surfaces = levels.surfaces(0);
+    if (!options.published) {
+        // How far the two scans' surfaces lie apart decides how sharp the cells are.
+        const double deviation = typicalDistance(surfaceDistances(surfaces, source, descent.local(source)));
+        surfaces = levels.surfaces(deviation);
+        const auto shifted = levels.shiftedSurfaces(deviation);
+        descent.level(NdtScore(surfaces, source, shifted), source, smallest, true);
+        if (!advance()) return fail(cancelledError());
+    }
+    RegistrationResult& result = descent.result();
+    result.notes = levels.notes();
     const StopReason stop = result.levels.back().stop;
     result.converged = stop != StopReason::iterationLimit && stop != StopReason::noOverlap;
-    result.inlierDistance_m = smallest / 2 + 3 * options.distributions.rangeNoise_m;
-    const OverlapQuality quality =
-        overlapQuality(pyramid.finerThan(result.inlierDistance_m / 4), source,
-                       frame.toLocal(result.targetFromSource.pose, source), result.inlierDistance_m);
-    result.overlap = quality.sourceShare;
-    result.targetOverlap = quality.targetShare;
-    result.rmse_m = quality.rmse_m;
-    return result;
+    result.inlierDistance_m = smallest / 2 + 3 * levels.rangeNoise_m();
+    setOverlap(result, surfaces, source, descent.local(source));
+    return std::move(result);
 }
 
 }  // namespace vestige

@@ -13,20 +13,22 @@
 namespace vestige {
 
 struct ImprovedNdtOptions {
+    /// The scheme of the publication: all sizes of the schedule down to v_n, classic cells, no last stage on
+    /// surfaces. Else docs/decisions/0007-ndt-kernel-and-schedule.md.
+    bool published = false;
     double voxelStart_m = 4;        ///< v0
     std::optional<double> voxel_m;  ///< v_n; nothing: chosen by flatness
-    double voxelFloor_m = 0.1;      ///< the smallest v_n that is considered
+    double voxelFloor_m = 0.25;     ///< the smallest v_n that is considered
     /// The largest v_n that is chosen where smaller cells hold enough points: cells must resolve the source.
     double voxelCeiling_m = 100;
-    std::optional<double> leaf_m;  ///< thinning of the source; nothing: v_n / 2
-    /// Where a level has no cell the next larger one counts, so that far surfaces keep their hold.
-    bool coarserCells = true;
-    /// Grids, shifted against each other, whose mean score the last level takes: where the faces of one grid
-    /// lie would move the pose by a centimetre.
-    int shiftedGrids = 4;
+    std::optional<double> leaf_m;  ///< thinning of the source; nothing: v_n (published: v_n / 2)
+    /// Grids, shifted against each other, whose mean score the last stage takes: where the faces of one grid
+    /// lie would move a small source by a centimetre.
+    int shiftedGrids = 1;
     /// Takes DistributionOptions::rangeNoise_m from the target itself, at v0.
     bool estimateNoise = false;
     DistributionOptions distributions;
+    std::optional<double> trustRadius_m;  ///< first bound of a step; nothing: a quarter of the voxel
     TrustRegionOptions trustRegion;
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/PoseUncertainty.h"
-#include "core/registration/ndt/NormalDistributions.h"
+#include "core/registration/ndt/NdtKernel.h"
 
 namespace vestige {
 
@@ -31,21 +31,26 @@ struct CentredSource {
 class NdtScore {
   public:
     /// `target` is one voxel size, or several from large to small: a point counts in the smallest cell that
-    /// holds it (docs/decisions/0004-registration-beyond-the-publication.md). Both must outlive the score.
-    NdtScore(std::span<const NormalDistributions> target, const CentredSource& source);
-
-    /// The same with other cells at the smallest size. `finest` must outlive the score.
-    NdtScore withFinest(const NormalDistributions& finest) const;
+    /// holds it (docs/decisions/0004-registration-beyond-the-publication.md). `shifted` are further grids of
+    /// the smallest size, each of which takes its place in turn: the score is the mean over all of them. The
+    /// distributions must outlive the score.
+    NdtScore(std::span<const NormalDistributions> target, const CentredSource& source,
+             std::span<const NormalDistributions> shifted = {});
 
     /// `pose` maps the centred source into the target's cells.
     ScoredPose operator()(const Pose& pose) const;
+    /// S alone.
+    double value(const Pose& pose) const;
 
     /// The pose after a step p: R turned by w = p[3..5] / radius (to third order), t + dt.
     static Pose moved(const Pose& pose, const Vector6d& step, double radius);
 
   private:
-    std::vector<const NormalDistributions*> target_;  // from small to large
-    const CentredSource& source_;
+    using Levels = std::vector<const NormalDistributions*>;  // from small to large
+
+    std::vector<Levels> grids_;
+    PointLanes source_;
+    double radius_;
 };
 
 }  // namespace vestige

@@ -6,47 +6,71 @@
 #include <numbers>
 
 #include "core/base/Parallel.h"
+#include "core/registration/ndt/EigenLanes.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::uint32_t kVotingPoints = 10;
-constexpr double kPlaneWidth = 0.1;      // l1 >= 0.1 l0, or the cell is a line
-constexpr double kSmallestShare = 0.01;  // eigenvalues are lifted to this share of the largest
-constexpr double kInPlane = 1e-3;        // information left in the plane of a flat cell
+constexpr float kPlaneWidth = 0.1F;  // l1 >= 0.1 l0, or the cell is a line
 
-struct Shape {
-    NormalCell cell;
-    double rootDeterminant = 0;  // 0: too few points or no extent
-    bool votes = false;
-    bool flat = false;
+constexpr float kInPlane = 1e-3F;  // information left in the plane of a flat cell
+constexpr std::size_t kLanes = 8;
+
+/// Per-cell results of eight moments at once.
+struct ShapeLanes {
+    alignas(32) std::array<float, kLanes> rootDeterminant{};  // 0: no extent
+    alignas(32) std::array<float, kLanes> thickness{};
+    alignas(32) std::array<std::array<float, kLanes>, 6> information{};
+    unsigned wide = 0;  // bit masks
+    unsigned flat = 0;
 };
 
-Shape shapeOf(const CellMoments& moments, const DistributionOptions& options) {
-    Shape shape;
-    if (moments.count < options.minimumPoints) return shape;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.scatterMatrix() /
-                                                                (moments.count - 1.0));
-    const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0);  // ascending
-    const double largest = values[2];
-    if (!(largest > 0)) return shape;
-    const double noise = options.rangeNoise_m * options.rangeNoise_m;
-    const bool wide = values[1] >= kPlaneWidth * largest;
-    shape.flat = wide && std::max(0.0, values[0] - noise) <= options.flatness * values.sum();
-    shape.votes = wide && moments.count >= kVotingPoints;
+ShapeLanes shapesOf(std::span<const CellMoments> moments, const DistributionOptions& options) {
+    alignas(32) std::array<std::array<float, kLanes>, 6> covariance{};
+    for (std::size_t lane = 0; lane < moments.size(); ++lane) {
+        const float perPoint = 1.0F / static_cast<float>(std::max(2U, moments[lane].count) - 1);
+        for (std::size_t i = 0; i < 6; ++i) covariance[i][lane] = moments[lane].scatter[i] * perPoint;
+    }
+    const auto given = [&](std::size_t i) { return Lanes::load(covariance[i].data()); };
+    EigenLanes eigen = eigenOf(given(0), given(1), given(2), given(3), given(4), given(5));
+    const Lanes zero = Lanes::zero();
+    for (Lanes& value : eigen.values) value = max(value, zero);
+    const Lanes largest = eigen.values[2];
+    const Lanes sum = eigen.values[0] + eigen.values[1] + eigen.values[2];
+    const auto noise = static_cast<float>(options.rangeNoise_m * options.rangeNoise_m);
+    const Lanes excess = max(zero, eigen.values[0] - Lanes::of(noise));
+    const auto bits = [](Lanes mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask.v)); };
+    ShapeLanes shape;
+    const unsigned extent = bits(below(zero, largest));
+    shape.wide = extent & ~bits(below(eigen.values[1], Lanes::of(kPlaneWidth) * largest));
+    shape.flat = shape.wide & ~bits(below(Lanes::of(static_cast<float>(options.flatness)) * sum, excess));
+    sqrt(eigen.values[0]).store(shape.thickness.data());
 
-    const Eigen::Vector3d lifted = values.cwiseMax(kSmallestShare * largest);
-    shape.rootDeterminant = std::sqrt(lifted.prod());
-    Eigen::Vector3d weights = lifted.cwiseInverse();
+    const Lanes floor =
+        max(Lanes::of(static_cast<float>(options.leastDeviation_m * options.leastDeviation_m)),
+            Lanes::of(static_cast<float>(options.leastShare * options.leastShare)) * largest);
+    const Lanes lifted[3] = {max(eigen.values[0], floor), max(eigen.values[1], floor), max(largest, floor)};
+    // One root at a time: the product of small things' eigenvalues is no float.
+    (sqrt(lifted[0]) * sqrt(lifted[1]) * sqrt(lifted[2])).store(shape.rootDeterminant.data());
     // In its plane a flat cell knows where its points were dense, not where the surface is: that differs from
     // scan to scan and would pull the source sideways.
-    if (shape.flat && !options.flatCellsInPlane) weights.tail<2>() *= kInPlane;
-    const Eigen::Matrix3d& axes = solver.eigenvectors();
-    const Eigen::Matrix3f information = (axes * weights.asDiagonal() * axes.transpose()).cast<float>();
-    shape.cell.key = moments.key;
-    shape.cell.mean = moments.mean;
-    shape.cell.information = {information(0, 0), information(0, 1), information(0, 2),
-                              information(1, 1), information(1, 2), information(2, 2)};
+    alignas(32) std::array<float, kLanes> inPlane;
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+        inPlane[lane] = (shape.flat >> lane & 1U) != 0 && !options.flatCellsInPlane ? kInPlane : 1.0F;
+    const Lanes share = Lanes::load(inPlane.data());
+    const Lanes weights[3] = {Lanes::of(1) / lifted[0], share / lifted[1], share / lifted[2]};
+    constexpr int kEntries[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto [row, column] = kEntries[i];
+        Lanes entry = zero;
+        for (int k = 0; k < 3; ++k)
+            entry = fma(weights[k] * eigen.vectors[k][row], eigen.vectors[k][column], entry);
+        entry.store(shape.information[i].data());
+    }
+    const unsigned kept = options.flatOnly ? shape.flat : extent;
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+        if ((kept >> lane & 1U) == 0) shape.rootDeterminant[lane] = 0;
     return shape;
 }
 
@@ -60,14 +84,11 @@ std::pair<float, float> scoreShape(double rootDeterminant, double size, double o
     return {static_cast<float>(d1), static_cast<float>(d2)};
 }
 
-double medianRootDeterminant(const std::vector<Shape>& shapes) {
-    std::vector<double> values;
-    for (const Shape& shape : shapes)
-        if (shape.rootDeterminant > 0) values.push_back(shape.rootDeterminant);
+double median(std::vector<float> values) {
     if (values.empty()) return 0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return static_cast<double>(*middle);
 }
 
 }  // namespace
@@ -75,29 +96,54 @@ double medianRootDeterminant(const std::vector<Shape>& shapes) {
 NormalDistributions::NormalDistributions(std::span<const CellMoments> moments, const VoxelGrid& grid,
                                          const DistributionOptions& options)
     : grid_(grid) {
-    std::vector<Shape> shapes(moments.size());
-    parallelFor(moments.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) shapes[i] = shapeOf(moments[i], options);
+    std::vector<CellMoments> enough;
+    enough.reserve(moments.size());
+    for (const CellMoments& cell : moments)
+        if (cell.count >= options.minimumPoints) enough.push_back(cell);
+    std::vector<NormalCell> cells(enough.size());
+    std::vector<float> determinants(enough.size());
+    std::vector<char> votes(enough.size());
+    parallelFor(enough.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t from = begin; from < end; from += kLanes) {
+            const auto few = std::span(enough).subspan(from, std::min(kLanes, end - from));
+            const ShapeLanes shape = shapesOf(few, options);
+            for (std::size_t lane = 0; lane < few.size(); ++lane) {
+                NormalCell& cell = cells[from + lane];
+                cell.key = few[lane].key;
+                cell.mean = few[lane].mean;
+                for (std::size_t i = 0; i < 6; ++i) cell.information[i] = shape.information[i][lane];
+                cell.count = few[lane].count;
+                cell.thickness = shape.thickness[lane];
+                cell.flat = (shape.flat >> lane & 1U) != 0;
+                determinants[from + lane] = shape.rootDeterminant[lane];
+                votes[from + lane] = (shape.wide >> lane & 1U) != 0 && few[lane].count >= kVotingPoints;
+            }
+        }
     });
     flatness_.voxel_m = grid.size();
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        if (shapes[i].rootDeterminant > 0) ++count_;
-        if (!shapes[i].votes) continue;
+    std::vector<float> positive;
+    positive.reserve(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (determinants[i] > 0) positive.push_back(determinants[i]);
+        if (!votes[i]) continue;
         ++flatness_.cells;
-        flatness_.points += moments[i].count;
-        if (shapes[i].flat) ++flatness_.flat;
+        flatness_.points += cells[i].count;
+        if (!cells[i].flat) continue;
+        ++flatness_.flat;
+        flatness_.flatPoints += cells[i].count;
     }
+    count_ = positive.size();
     const auto [depth, steepness] =
-        scoreShape(medianRootDeterminant(shapes), grid.size(), options.outlierRatio);
+        scoreShape(median(std::move(positive)), grid.size(), options.outlierRatio);
     table_.resize(std::bit_ceil(std::max<std::size_t>(16, 2 * count_)));
-    mask_ = table_.size() - 1;
-    for (Shape& shape : shapes) {
-        if (!(shape.rootDeterminant > 0)) continue;
-        shape.cell.depth = depth;
-        shape.cell.steepness = steepness;
-        std::size_t slot = VoxelGrid::hash(shape.cell.key) & mask_;
+    mask_ = static_cast<std::uint32_t>(table_.size() - 1);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!(determinants[i] > 0)) continue;
+        cells[i].depth = depth;
+        cells[i].steepness = steepness;
+        std::uint32_t slot = VoxelGrid::hash(cells[i].key) & mask_;
         while (table_[slot].key != VoxelGrid::kNoKey) slot = (slot + 1) & mask_;
-        table_[slot] = shape.cell;
+        table_[slot] = cells[i];
     }
 }
 

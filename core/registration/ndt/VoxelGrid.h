@@ -10,10 +10,14 @@ namespace vestige {
 class VoxelGrid {
   public:
     static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
+    static constexpr std::int64_t kMask = (std::int64_t{1} << 21) - 1;
+    static constexpr std::int64_t kHalf = std::int64_t{1} << 20;
 
     explicit VoxelGrid(double size, double shift = 0) : size_(size), perMetre_(1 / size), shift_(shift) {}
 
     double size() const { return size_; }
+    double perMetre() const { return perMetre_; }
+    double shift() const { return shift_; }
     /// Key of the cell that holds the point; kNoKey outside the grid.
     std::uint64_t key(double x, double y, double z) const {
         const std::int64_t i = index(x);
@@ -31,21 +35,30 @@ class VoxelGrid {
         if (((i | j | k) & ~kMask) != 0) return kNoKey;
         return pack(i, j, k);
     }
+    /// The key of the block of 2^bits cells an axis that holds the cell, in a grid of such blocks.
+    static std::uint64_t block(std::uint64_t key, int bits) {
+        const std::uint64_t axis = static_cast<std::uint64_t>(kMask) >> bits;
+        const std::uint64_t kept = axis | axis << 21 | axis << 42;
+        return key >> bits & kept;
+    }
     double centreX(std::uint64_t key) const { return centre(key & kMask); }
     double centreY(std::uint64_t key) const { return centre(key >> 21 & kMask); }
     double centreZ(std::uint64_t key) const { return centre(key >> 42 & kMask); }
 
-    /// Full avalanche (SplitMix64's finisher): weaker mixes of packed keys cluster under linear probing.
-    static std::uint64_t hash(std::uint64_t key) {
-        key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        key = (key ^ (key >> 27)) * 0x94d049bb133111ebULL;
-        return key ^ (key >> 31);
+    /// Full avalanche in 32-bit steps, so that eight keys can be hashed at once (NdtKernel.cpp does): weaker
+    /// mixes of packed keys cluster under linear probing. (Finisher: Ellis, "prospecting for hash
+    /// functions".)
+    static std::uint32_t hash(std::uint64_t key) {
+        std::uint32_t h =
+            static_cast<std::uint32_t>(key) * kHashLow + static_cast<std::uint32_t>(key >> 32) * kHashHigh;
+        h = (h ^ (h >> 16)) * kHashFirst;
+        h = (h ^ (h >> 15)) * kHashSecond;
+        return h ^ (h >> 16);
     }
+    static constexpr std::uint32_t kHashLow = 0x9e3779b1, kHashHigh = 0x85ebca77, kHashFirst = 0x7feb352d,
+                                   kHashSecond = 0x846ca68b;
 
   private:
-    static constexpr std::int64_t kMask = (std::int64_t{1} << 21) - 1;
-    static constexpr std::int64_t kHalf = std::int64_t{1} << 20;
-
     std::int64_t index(double x) const {
         return static_cast<std::int64_t>(std::floor((x + shift_) * perMetre_)) + kHalf;
     }

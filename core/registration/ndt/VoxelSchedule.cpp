@@ -11,10 +11,10 @@ bool holdsHalfOfPoints(const FlatnessCount& count, std::size_t targetPoints) {
 
 }  // namespace
 
-std::vector<double> voxelSchedule(double start, double finest) {
+std::vector<double> voxelSchedule(double start, double finest, double factor) {
     std::vector<double> sizes;
     // The margin keeps a size that equals `finest` but for rounding from appearing twice.
-    for (double size = start; size > finest * (1 + 1e-9); size *= 0.8) sizes.push_back(size);
+    for (double size = start; size > finest * (1 + 1e-9); size *= factor) sizes.push_back(size);
     sizes.push_back(finest);
     return sizes;
 }

@@ -7,8 +7,8 @@
 
 namespace vestige {
 
-/// v0, 0.8 v0, 0.64 v0, ... down to `finest`, which always ends the list.
-std::vector<double> voxelSchedule(double start, double finest);
+/// start, factor start, factor^2 start, ... down to `finest`, which always ends the list.
+std::vector<double> voxelSchedule(double start, double finest, double factor);
 
 /// Which of the schedule's sizes v_n is (METHOD section 3, step 2): a size counts while at least half of the
 /// target's points lie in voting cells; among sizes within 0.01 of the largest flatness ratio, the smallest.

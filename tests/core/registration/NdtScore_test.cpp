@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/Parallel.h"
 #include "core/base/Random.h"
 
@@ -42,38 +44,64 @@ Pose start() {
     return pose;
 }
 
-TEST(NdtScore, GradientAgreesWithFiniteDifferences) {
+/// The score as METHOD section 3 has it, in double and one point at a time.
+double plainScore(const NormalDistributions& cells, const CentredSource& source, const Pose& pose) {
+    double sum = 0;
+    for (const Eigen::Vector3f& point : source.points) {
+        const Eigen::Vector3d x = pose * point.cast<double>();
+        const NormalCell* cell = cells.find(x.x(), x.y(), x.z());
+        if (cell == nullptr) continue;
+        const auto& c = cell->information;
+        Eigen::Matrix3f inverse;
+        inverse << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+        const Eigen::Vector3d e = x - Eigen::Vector3d(cell->mean[0], cell->mean[1], cell->mean[2]);
+        const double q = e.dot(inverse.cast<double>() * e);
+        sum += static_cast<double>(cell->depth) * std::exp(-0.5 * static_cast<double>(cell->steepness) * q);
+    }
+    return sum / static_cast<double>(source.points.size());
+}
+
+TEST(NdtScore, IsThePlainScoreToFloatPrecision) {
+    const std::vector<NormalDistributions> cells{target()};
+    const CentredSource points = source(1003);
+    const NdtScore score(cells, points);
+    const double plain = plainScore(cells[0], points, start());
+    ASSERT_LT(plain, -0.01);
+    EXPECT_NEAR(score(start()).score, plain, 1e-5 * std::abs(plain));
+    EXPECT_NEAR(score(start()).score, score.value(start()), 1e-6 * std::abs(plain));
+    EXPECT_EQ(score(start()).inside, 1003U);
+}
+
+TEST(NdtScore, GradientAgreesWithFiniteDifferencesOfThePlainScore) {
     const std::vector<NormalDistributions> cells{target()};
     const CentredSource points = source();
-    const NdtScore score(cells, points);
-    const ScoredPose here = score(start());
+    const ScoredPose here = NdtScore(cells, points)(start());
     ASSERT_EQ(here.inside, points.points.size());
-    ASSERT_LT(here.score, -0.01);
     ASSERT_GT(here.gradient.cwiseAbs().minCoeff(), 1e-5);
     constexpr double h = 1e-4;
+    const auto at = [&](const Vector6d& step) {
+        return plainScore(cells[0], points, NdtScore::moved(start(), step, points.radius));
+    };
     for (int i = 0; i < 6; ++i) {
         const Vector6d step = h * Vector6d::Unit(i);
-        const double slope = (score(NdtScore::moved(start(), step, points.radius)).score -
-                              score(NdtScore::moved(start(), -step, points.radius)).score) /
-                             (2 * h);
-        EXPECT_NEAR(here.gradient[i], slope, 1e-6 * here.gradient.norm()) << "component " << i;
+        EXPECT_NEAR(here.gradient[i], (at(step) - at(-step)) / (2 * h), 1e-4 * here.gradient.norm())
+            << "component " << i;
     }
 }
 
-TEST(NdtScore, HessianAgreesWithFiniteDifferencesOfTheScore) {
+TEST(NdtScore, HessianAgreesWithFiniteDifferencesOfThePlainScore) {
     const std::vector<NormalDistributions> cells{target()};
     const CentredSource points = source();
-    const NdtScore score(cells, points);
-    const ScoredPose here = score(start());
+    const ScoredPose here = NdtScore(cells, points)(start());
     constexpr double h = 2e-3;
     const auto at = [&](const Vector6d& step) {
-        return score(NdtScore::moved(start(), step, points.radius)).score;
+        return plainScore(cells[0], points, NdtScore::moved(start(), step, points.radius));
     };
     for (int i = 0; i < 6; ++i)
         for (int j = i; j < 6; ++j) {
             const Vector6d a = h * Vector6d::Unit(i), b = h * Vector6d::Unit(j);
             const double second = (at(a + b) - at(a - b) - at(b - a) + at(-a - b)) / (4 * h * h);
-            EXPECT_NEAR(here.hessian(i, j), second, 2e-5 * here.hessian.norm()) << i << ' ' << j;
+            EXPECT_NEAR(here.hessian(i, j), second, 2e-4 * here.hessian.norm()) << i << ' ' << j;
         }
     EXPECT_EQ(here.hessian, here.hessian.transpose());
 }

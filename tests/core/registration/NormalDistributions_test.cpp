@@ -130,13 +130,13 @@ TEST(NormalDistributions, ALineIsNoPlaneAndHasNoVote) {
 }
 
 TEST(VoxelSchedule, ShrinksByAFifthAndEndsAtTheSmallest) {
-    const auto sizes = voxelSchedule(1, 0.5);
+    const auto sizes = voxelSchedule(1, 0.5, 0.8);
     ASSERT_EQ(sizes.size(), 5U);
     EXPECT_DOUBLE_EQ(sizes[1], 0.8);
     EXPECT_DOUBLE_EQ(sizes[3], 0.512);
     EXPECT_DOUBLE_EQ(sizes.back(), 0.5);
-    EXPECT_EQ(voxelSchedule(1, 0.8), (std::vector<double>{1, 0.8}));
-    EXPECT_EQ(voxelSchedule(0.5, 0.5), (std::vector<double>{0.5}));
+    EXPECT_EQ(voxelSchedule(1, 0.8, 0.8), (std::vector<double>{1, 0.8}));
+    EXPECT_EQ(voxelSchedule(0.5, 0.5, 0.8), (std::vector<double>{0.5}));
 }
 
 TEST(VoxelSchedule, TheSmallestOfTheFlattestSizesThatHoldHalfOfThePoints) {
