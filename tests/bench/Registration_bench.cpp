@@ -1,7 +1,7 @@
 // Registration from points in memory to the pose: ours beside PCL's and Open3D's, round by round.
 //
-//   bench_registration [--pairs=street,room,...] [--rounds=5] [--threads=1,2] [--markdown=FILE]
-//                      [Google Benchmark's own options]
+//   bench_registration [--pairs=street,room,...] [--rounds=5] [--threads=1,2] [--ours]
+//                      [--markdown=FILE] [Google Benchmark's own options]
 //
 // First every setting runs once, which fixes the errors (they do not depend on chance) and the setting that
 // each peer counts with. Then the rounds: each contender once per round, so that a change of the machine's
@@ -26,6 +26,7 @@ struct Options {
     std::vector<std::string> pairs = pairNames();
     std::vector<int> threads{1, 2};
     int rounds = 5;
+    bool oursOnly = false;
     std::string markdown;
 };
 
@@ -51,6 +52,8 @@ bool parse(int& argc, char** argv, Options& options) {
             for (const std::string& count : split(value)) options.threads.push_back(std::stoi(count));
         } else if (key == "--rounds") {
             options.rounds = std::stoi(value);
+        } else if (key == "--ours") {
+            options.oursOnly = true;
         } else if (key == "--markdown") {
             options.markdown = value;
         } else {
@@ -63,14 +66,16 @@ bool parse(int& argc, char** argv, Options& options) {
 
 void measure(benchmark::State& state, Trial& trial, std::size_t round) {
     if (trial.threads > 1 && loadAverage() > kMostLoad) {
+        ++trial.refused;
         state.SkipWithError("refused: the machine is loaded, two threads would not get two cores");
         return;
     }
     for (auto _ : state) {
         vestige::Pose found = vestige::Pose::Identity();
-        const double seconds = timedRun(trial, found);
-        state.SetIterationTime(seconds);
-        trial.seconds[round].push_back(seconds);
+        const RunTime time = timedRun(trial, found);
+        state.SetIterationTime(time.seconds);
+        trial.seconds[round].push_back(time.seconds);
+        trial.cpu_seconds[round].push_back(time.cpu_seconds);
     }
     state.counters["error_mm"] = 1000 * trial.error.translation_m;
 }
@@ -103,7 +108,7 @@ int main(int argc, char** argv) {
     const std::string machine = describeMachine();
     std::fputs(machine.c_str(), stderr);
     const std::vector<ScanPair> pairs = loadPairs(options.pairs);
-    std::vector<Trial> trials = survey(pairs, options.threads, options.rounds);
+    std::vector<Trial> trials = survey(pairs, options.threads, options.rounds, options.oursOnly);
     registerRounds(trials, options.rounds);
     benchmark::RunSpecifiedBenchmarks();
     const std::string tables = machine + "- " + std::to_string(options.rounds) +

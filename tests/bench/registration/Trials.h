@@ -17,17 +17,23 @@ struct Trial {
     int threads = 1;
     bool counts = true;  ///< false: shown because asked for, a better setting counts
     PoseError error;
-    int repetitions = 1;  ///< in a round; more for what takes little time
-    RoundTimes seconds;   ///< [round][repetition]; a round that was refused has none
-
-    bool refused(std::size_t round) const { return seconds[round].empty(); }
+    int repetitions = 1;     ///< in a round; more for what takes little time
+    RoundTimes seconds;      ///< wall time, [round][repetition]
+    RoundTimes cpu_seconds;  ///< processor time of all threads
+    int refused = 0;         ///< rounds that the machine was too loaded for
 };
 
-/// Runs every contender once at each of its settings, and picks those that the rounds measure.
-std::vector<Trial> survey(const std::vector<ScanPair>& pairs, const std::vector<int>& threads, int rounds);
+struct RunTime {
+    double seconds = 0;
+    double cpu_seconds = 0;
+};
 
-/// One run, in seconds; `found` is what it found.
-double timedRun(const Trial& trial, Pose& found);
+/// Runs every contender (or only ours) once at each of its settings, and picks those that the rounds measure.
+std::vector<Trial> survey(const std::vector<ScanPair>& pairs, const std::vector<int>& threads, int rounds,
+                          bool oursOnly);
+
+/// One run; `found` is what it found.
+RunTime timedRun(const Trial& trial, Pose& found);
 
 /// The tables: one per pair.
 std::string markdown(const std::vector<ScanPair>& pairs, const std::vector<Trial>& trials);

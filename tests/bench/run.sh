@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Builds the benchmarks, runs them and puts their tables into docs/benchmarks.md.
+#   tests/bench/run.sh [registration] [basin] [filters] [profile]    all of them without an argument
+# ROUNDS (5), PAIRS (all), BUILD (build/release) in the environment. Wants a quiet machine; takes about 20 minutes.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${BUILD:-build/release}
+parts=("$@")
+if [ ${#parts[@]} = 0 ]; then parts=(registration basin filters profile); fi
+VESTIGE_BENCH_COMMIT=$(git rev-parse --short HEAD 2>/dev/null || echo "(no commit)")
+export VESTIGE_BENCH_COMMIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+for part in "${parts[@]}"; do
+    program=bench_$part
+    if [ "$part" = profile ]; then program=bench_registration; fi
+    ninja -C "$build" "$program" >&2
+    case $part in
+        registration)
+            "$build/bin/$program" --rounds="${ROUNDS:-5}" ${PAIRS:+--pairs="$PAIRS"} --markdown="$work/$part.md" >&2
+            ;;
+        basin | filters)
+            "$build/bin/$program" | tee /dev/stderr | grep '^|' >"$work/$part.md"
+            ;;
+        profile)
+            # Where our time goes on one pair, one thread: the functions that take over 2 %.
+            perf record -q -e cpu-clock -F 1999 -o "$work/perf.data" "$build/bin/$program" --pairs=street --threads=1 \
+                --ours --rounds=20 --markdown="$work/unused.md" >&2
+            {
+                echo "| share | function |"
+                echo "|---|---|"
+                perf report -i "$work/perf.data" --stdio --no-children --percent-limit 2 -s symbol -g none 2>/dev/null |
+                    sed -n 's/^ *\([0-9.]*%\) *\[.\] \(.*\)$/| \1 | `\2` |/p'
+            } >"$work/$part.md"
+            ;;
+    esac
+    tests/bench/insert.py docs/benchmarks.md "$part" "$work/$part.md"
+done
