@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "core/base/Numbers.h"
 #include "core/registration/FindPose.h"
+#include "core/registration/quality/Assess.h"
 
 namespace vestige {
 namespace {
@@ -21,10 +21,6 @@ PointCloud pointsOf(const TriangleMesh& geometry) {
     return sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
 }
 
-std::string percent(double share) {
-    return fixedText(100 * share, 1) + " %";
-}
-
 /// How far the fit moved the source's surface from its first pose, at most.
 double movedBy(const RegistrationResult& result, const PointCloud& source) {
     const Eigen::Vector3d centre = source.bounds().centre();
@@ -34,33 +30,17 @@ double movedBy(const RegistrationResult& result, const PointCloud& source) {
     return shift + turn * result.radius_m;
 }
 
-/// Why nobody should rely on the pose. Either cloud may be the small one, so the better of the two overlaps
-/// counts.
-std::vector<std::string> reasonsAgainst(const RegistrationResult& result, double moved_m, double allowed_m) {
-    constexpr double kLeastOverlap = 0.1;
-    constexpr double kOverlapIfNotConverged = 0.3;
-    std::vector<std::string> reasons;
-    if (moved_m > allowed_m)
-        reasons.push_back("the fit moved the source " + fixedText(moved_m, 2) +
-                          " m from a first pose that is known much better than that");
-    const double overlap = std::max(result.overlap, result.targetOverlap);
-    if (overlap < kLeastOverlap)
-        reasons.push_back("only " + percent(result.overlap) + " of the source lies within " +
-                          fixedText(result.inlierDistance_m, 3) + " m of the target");
-    else if (!result.converged && overlap < kOverlapIfNotConverged)
-        reasons.push_back("it has not converged and only " + percent(result.overlap) +
-                          " of the source lies on the target");
-    return reasons;
-}
-
-/// Judges a pose that was found: the verdict and its reasons.
-void assess(RegistrationResult& result, const PointCloud& source, const ParameterSet& parameters) {
+/// A known first pose that the fit left by much more than its error speaks against the result.
+void checkMove(RegistrationResult& result, const PointCloud& source, const ParameterSet& parameters) {
     const auto startError_m = parameters.optionalReal("start_error_m");
-    const double allowed_m = startError_m
-                                 ? std::max(kMovesAllowed * *startError_m, kMovesOfRadius * result.radius_m)
-                                 : std::numeric_limits<double>::infinity();
-    result.reasons = reasonsAgainst(result, movedBy(result, source), allowed_m);
-    if (!result.reasons.empty()) result.verdict = Verdict::failed;
+    if (!startError_m) return;
+    const double moved_m = movedBy(result, source);
+    if (moved_m <= std::max(kMovesAllowed * *startError_m, kMovesOfRadius * result.radius_m)) return;
+    if (result.verdict == Verdict::accepted) result.reasons.clear();
+    result.verdict = Verdict::failed;
+    result.reasons.insert(result.reasons.begin(),
+                          "the fit moved the source " + fixedText(moved_m, 2) +
+                              " m from a first pose that is known much better than that");
 }
 
 }  // namespace
@@ -73,11 +53,16 @@ Result<RegistrationResult> attemptRegistration(const TriangleMesh& target, const
         const PointCloud targetPoints = pointsOf(target);
         const PointCloud sourcePoints = pointsOf(source);
         Result<RegistrationResult> result =
-            findPose(targetPoints, sourcePoints, initial, parameters, control, watch);
+            findPose(targetPoints, sourcePoints, initial, parameters, control.sub(0, 0.5), watch);
         if (!result) return result;
-        assess(*result, sourcePoints, parameters);
         result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        control.progress(1, "registration");
+        const RegisterAgain again = [&](const Pose& start) -> Result<Pose> {
+            auto other = findPose(targetPoints, sourcePoints, {start, initial.scale}, parameters);
+            if (!other) return fail(other.error());
+            return other->targetFromSource.pose;
+        };
+        assess(*result, targetPoints, sourcePoints, qualityOptions(parameters), again, control.sub(0.5, 1));
+        checkMove(*result, sourcePoints, parameters);
         return result;
     });
 }

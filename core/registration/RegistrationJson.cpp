@@ -4,6 +4,43 @@
 
 namespace vestige {
 
+namespace {
+
+nlohmann::json candidatesJson(const std::vector<PoseCandidate>& candidates) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const PoseCandidate& one : candidates)
+        list.push_back({{"pose", rowMajor(one.targetFromSource.pose)},
+                        {"scale", one.targetFromSource.scale},
+                        {"score", one.score}});
+    return list;
+}
+
+nlohmann::json qualityJson(const RegistrationQuality& quality) {
+    nlohmann::json directions = nlohmann::json::array();
+    for (const ObservedDirection& one : quality.directions)
+        directions.push_back({{"information", one.information},
+                              {"direction", std::vector<double>(one.direction.begin(), one.direction.end())},
+                              {"sigma_m", one.sigma_m},
+                              {"free", one.free},
+                              {"words", one.words}});
+    const Eigen::Vector3d& pivot = quality.uncertainty.pivot_m;
+    return {{"residual_histogram",
+             {{"width_m", quality.residuals.width_m},
+              {"counts", quality.residuals.counts},
+              {"outside", quality.residuals.outside}}},
+            {"plane_rmse_m", quality.planeRmse_m},
+            {"restarts",
+             {{"runs", quality.restarts.runs},
+              {"agreeing", quality.restarts.agreeing},
+              {"translation_m", quality.restarts.translation_m},
+              {"rotation_rad", quality.restarts.rotation_rad}}},
+            {"observability", std::move(directions)},
+            {"radius_m", quality.radius_m},
+            {"pivot_m", {pivot.x(), pivot.y(), pivot.z()}}};
+}
+
+}  // namespace
+
 nlohmann::json registrationJson(const RegistrationResult& result, bool withSeconds) {
     nlohmann::json levels = nlohmann::json::array();
     for (const RegistrationLevel& level : result.levels)
@@ -27,6 +64,14 @@ nlohmann::json registrationJson(const RegistrationResult& result, bool withSecon
     if (withSeconds) object["seconds"] = result.seconds;
     object["verdict"] = std::string(describe(result.verdict));
     object["reasons"] = result.reasons;
+    object["candidates"] = candidatesJson(result.candidates);
+    object["covariance"] = nullptr;
+    object["quality"] = nullptr;
+    if (result.quality) {
+        const Eigen::Vector3d translation = result.targetFromSource.pose.translation();
+        object["covariance"] = rowMajor(result.quality->uncertainty.about(translation).covariance);
+        object["quality"] = qualityJson(*result.quality);
+    }
     return object;
 }
 

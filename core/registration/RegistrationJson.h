@@ -6,9 +6,9 @@
 
 namespace vestige {
 
-/// The object that `register --json` prints and registration.json lists: pose as 16 numbers row by row,
-/// metres. `seconds` is left out where the text must not differ from run to run. A result that cannot be
-/// relied on has "verdict": "failed" and its reasons.
+/// The object that `register --json` prints and registration.json lists (docs/formats.md): pose as 16 numbers
+/// row by row, metres; the covariance of the pose about its own translation, 36 numbers; verdict, reasons and
+/// the evidence for them. `seconds` is left out where the text must not differ from run to run.
 nlohmann::json registrationJson(const RegistrationResult& result, bool withSeconds);
 
 }  // namespace vestige

@@ -54,11 +54,14 @@ double localSpacing_m(const SceneState& scene, const PickedPoint& point) {
     return found.empty() ? 0 : sceneFromHere.scale * octree.localSpacing(found.front().point);
 }
 
-/// Squared share of a layer's pose in a length to a point of another layer. The RMSE of the registration
-/// stands for it: it holds the sensors' noise too, so it rather overstates the pose's part.
-double squaredPoseShare(const Layer& layer) {
-    if (!layer.registration || !std::isfinite(layer.registration->rmse_m)) return 0;
-    return square(layer.registration->rmse_m);
+/// Squared share of a layer's pose in a length from one of its points, along the length: from the pose's
+/// covariance at that point. The RMSE stands in for the covariance of a registration that has none (of an
+/// older case file): it holds the sensors' noise too, so it rather overstates the pose's part.
+double squaredPoseShare(const Layer& layer, const Eigen::Vector3d& point, const Eigen::Vector3d& along) {
+    if (!layer.registration) return 0;
+    if (layer.registration->quality)
+        return along.dot(layer.registration->quality->uncertainty.at(point) * along);
+    return std::isfinite(layer.registration->rmse_m) ? square(layer.registration->rmse_m) : 0;
 }
 
 /// What the pairs of one object and method add up to.
@@ -88,12 +91,15 @@ struct Repeats {
             ++withoutCommonFrame;
             return;
         }
-        lengths_m.push_back(EndPair{scenePosition(scene, pair.a), scenePosition(scene, pair.b)}.length_m());
+        const EndPair ends{scenePosition(scene, pair.a), scenePosition(scene, pair.b)};
+        lengths_m.push_back(ends.length_m());
         noiseA += square(sensorNoise_m(layerA.role));
         noiseB += square(sensorNoise_m(layerB.role));
         spacingA += square(localSpacing_m(scene, pair.a));
         spacingB += square(localSpacing_m(scene, pair.b));
-        if (!sameLayer) pose += squaredPoseShare(layerA) + squaredPoseShare(layerB);
+        if (sameLayer) return;
+        const Eigen::Vector3d along = (ends.b - ends.a).normalized();
+        pose += squaredPoseShare(layerA, ends.a, along) + squaredPoseShare(layerB, ends.b, along);
     }
 
     std::optional<LengthStatistic> statistic() const {

@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/scene/casefile/CaseJson.h"
@@ -11,6 +12,15 @@ constexpr std::array<std::pair<StopReason, const char*>, 5> kStopReasons{
      {StopReason::predictedDecrease, "predicted-decrease"},
      {StopReason::iterationLimit, "iteration-limit"},
      {StopReason::noOverlap, "no-overlap"}}};
+
+constexpr std::array kVerdicts{Verdict::accepted, Verdict::doubtful, Verdict::failed, Verdict::ambiguous};
+
+Verdict readVerdict(const JsonCursor& verdict) {
+    const std::string text = verdict.text();
+    for (const Verdict known : kVerdicts)
+        if (describe(known) == text) return known;
+    verdict.reject("'" + text + "' is no verdict", "expected accepted, doubtful, failed or ambiguous");
+}
 
 std::string stopText(StopReason reason) {
     for (const auto& [value, text] : kStopReasons)
@@ -64,21 +74,31 @@ nlohmann::ordered_json resultJson(const RegistrationResult& result) {
                           {"score", level.score},
                           {"stop", stopText(level.stop)},
                           {"pose", poseJson(level.targetFromSource)}});
-    return {{"method", result.method},
-            {"converged", result.converged},
-            {"iterations", result.iterations},
-            {"seconds", result.seconds},
-            {"pose", poseJson(result.targetFromSource.pose)},
-            {"scale", result.targetFromSource.scale},
-            {"rmse_m", result.rmse_m},
-            {"overlap", result.overlap},
-            {"target_overlap", result.targetOverlap},
-            {"inlier_distance_m", result.inlierDistance_m},
-            {"voxel_schedule_m", result.voxelSchedule_m},
-            {"levels", levels},
-            {"notes", result.notes},
-            {"reasons", result.reasons},
-            {"initial", {{"pose", poseJson(result.initial.pose)}, {"scale", result.initial.scale}}}};
+    nlohmann::ordered_json candidates = nlohmann::ordered_json::array();
+    for (const PoseCandidate& one : result.candidates)
+        candidates.push_back({{"pose", poseJson(one.targetFromSource.pose)},
+                              {"scale", one.targetFromSource.scale},
+                              {"score", one.score}});
+    nlohmann::ordered_json json{
+        {"method", result.method},
+        {"converged", result.converged},
+        {"iterations", result.iterations},
+        {"seconds", result.seconds},
+        {"pose", poseJson(result.targetFromSource.pose)},
+        {"scale", result.targetFromSource.scale},
+        {"rmse_m", result.rmse_m},
+        {"overlap", result.overlap},
+        {"target_overlap", result.targetOverlap},
+        {"inlier_distance_m", result.inlierDistance_m},
+        {"voxel_schedule_m", result.voxelSchedule_m},
+        {"levels", levels},
+        {"notes", result.notes},
+        {"verdict", std::string(describe(result.verdict))},
+        {"reasons", result.reasons},
+        {"candidates", std::move(candidates)},
+        {"initial", {{"pose", poseJson(result.initial.pose)}, {"scale", result.initial.scale}}}};
+    if (result.quality) json["quality"] = qualityJson(*result.quality);
+    return json;
 }
 
 RegistrationResult readResult(const JsonCursor& cursor) {
@@ -108,8 +128,13 @@ RegistrationResult readResult(const JsonCursor& cursor) {
                                      readExactPose(level.at("pose"))});
     if (const auto notes = cursor.find("notes"))
         for (const auto& note : notes->elements()) result.notes.push_back(note.text());
+    if (const auto verdict = cursor.find("verdict")) result.verdict = readVerdict(*verdict);
     if (const auto reasons = cursor.find("reasons"))
         for (const auto& reason : reasons->elements()) result.reasons.push_back(reason.text());
+    if (const auto candidates = cursor.find("candidates"))
+        for (const auto& one : candidates->elements())
+            result.candidates.push_back({readSimilarity(one), number(one, "score")});
+    if (const auto quality = cursor.find("quality")) result.quality = readQuality(*quality);
     if (const auto initial = cursor.find("initial")) result.initial = readSimilarity(*initial);
     return result;
 }

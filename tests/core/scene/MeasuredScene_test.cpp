@@ -75,12 +75,51 @@ TEST(MeasuredScene, AllRepeatsOfAMethodCount) {
 
 TEST(MeasuredScene, PairsAcrossLayersCarryTheRegistration) {
     SceneState scene = threeLayers();
+    // The pose slides by 4 mm (1 sigma) along x and turns by 1 mrad about the z axis through (0, -3, 0).
+    PoseUncertainty& pose = scene.layers[1].registration->quality->uncertainty;
+    pose.covariance.setZero();
+    pose.covariance(0, 0) = 0.004 * 0.004;
+    pose.covariance(5, 5) = 1e-6;
+    pose.pivot_m = {0, -3, 0};
     const PickedPair across{{"front", {0, 0, 0}, 0.0, false}, {"aerial", {4.9, 0, 0}, 0.0, false}};
     scene.measurements[0].picks["front"] = {across, across};
-    const MeasuredScene measured = measureScene(scene);
+    const double ends = 0.0001 * 0.0001 + 0.03 * 0.03;
+    const auto shareOf = [&] {
+        const double u = *measureScene(scene).lengths[0].length->standardUncertainty_m;
+        return std::sqrt(std::max(0.0, u * u - ends));
+    };
+    EXPECT_NEAR(shareOf(), 0.005, 1e-9) << "4 mm of the slide, 3 mm of the turn at 3 m from the pivot";
+    EXPECT_EQ(measureScene(scene).lengths[0].layers, (std::vector<std::string>{"front", "aerial"}));
+    const PickedPair upright{{"front", {0, 0, 0}, 0.0, false}, {"aerial", {0, 0, 2}, 0.0, false}};
+    scene.measurements[0].picks["front"] = {upright, upright};
+    EXPECT_NEAR(shareOf(), 0, 1e-6) << "neither moves the end along the length";
+    const PickedPair within{{"front", {0, 0, 0}, 0.0, false}, {"front", {4.9, 0, 0}, 0.0, false}};
+    scene.measurements[0].picks["front"] = {within, within};
+    EXPECT_NEAR(*measureScene(scene).lengths[0].length->standardUncertainty_m, 0.0001 * std::sqrt(2), 1e-12)
+        << "both ends move together";
+}
+
+TEST(MeasuredScene, BothPosesCountWhereBothEndsAreOfRegisteredLayers) {
+    SceneState scene = threeLayers();
+    scene.layers[2].registration = sampleResult(0.1, 0.2);
+    for (const std::size_t i : {1, 2}) {
+        PoseUncertainty& pose = scene.layers[i].registration->quality->uncertainty;
+        pose.covariance.setZero();
+        pose.covariance(0, 0) = i == 1 ? 9e-6 : 16e-6;
+    }
+    const PickedPair across{{"front", {0, 0, 0}, 0.0, false}, {"photo", {4.9, 0, 0}, 0.0, false}};
+    scene.measurements[0].picks["front"] = {across, across};
+    const double u = *measureScene(scene).lengths[0].length->standardUncertainty_m;
+    EXPECT_NEAR(std::sqrt(u * u - 0.0001 * 0.0001 - 0.05 * 0.05), 0.005, 1e-9);
+}
+
+TEST(MeasuredScene, TheRmseStandsInForACovarianceThatIsMissing) {
+    SceneState scene = threeLayers();
+    scene.layers[1].registration->quality.reset();
+    const PickedPair across{{"front", {0, 0, 0}, 0.0, false}, {"aerial", {4.9, 0, 0}, 0.0, false}};
+    scene.measurements[0].picks["front"] = {across, across};
     const double u2 = 0.0001 * 0.0001 + 0.03 * 0.03 + 0.0123 * 0.0123;
-    EXPECT_NEAR(*measured.lengths[0].length->standardUncertainty_m, std::sqrt(u2), 1e-12);
-    EXPECT_EQ(measured.lengths[0].layers, (std::vector<std::string>{"front", "aerial"}));
+    EXPECT_NEAR(*measureScene(scene).lengths[0].length->standardUncertainty_m, std::sqrt(u2), 1e-12);
 }
 
 TEST(MeasuredScene, PairsAcrossLayersWithoutACommonFrameAreNoLength) {

@@ -20,6 +20,22 @@ Layer sampleLayer(const std::string& id, LayerRole role) {
     return layer;
 }
 
+RegistrationQuality sampleQuality() {
+    RegistrationQuality quality;
+    quality.residuals = {0.002, {1, 5, 9, 4, 0}, 3};
+    quality.planeRmse_m = 0.0041;
+    quality.restarts = {4, 3, 0.0011, 0.0002};
+    for (int i = 0; i < 6; ++i)
+        quality.directions.push_back(
+            {10.0 / 3 * i, Vector6d::Unit(i), 1.0 / (i + 1), i == 0, "slides level about east-west"});
+    quality.radius_m = 12.3;
+    for (int row = 0; row < 6; ++row)
+        for (int column = 0; column < 6; ++column)
+            quality.uncertainty.covariance(row, column) = (row == column ? 2 : 0.1) * 1e-6 / 3;
+    quality.uncertainty.pivot_m = {1.5, -2, 1.0 / 7};
+    return quality;
+}
+
 RegistrationResult sampleResult(double shift_m, double angle_rad) {
     RegistrationResult result;
     result.method = "improved-ndt";
@@ -40,6 +56,9 @@ RegistrationResult sampleResult(double shift_m, double angle_rad) {
     result.levels = {{1, 20, -0.4, StopReason::step, result.targetFromSource.pose},
                      {0.8, 21, -0.5, StopReason::iterationLimit, result.targetFromSource.pose}};
     result.notes = {"the scan is in millimetres"};
+    result.verdict = Verdict::doubtful;
+    result.candidates = {{result.targetFromSource, 0.75}};
+    result.quality = sampleQuality();
     return result;
 }
 

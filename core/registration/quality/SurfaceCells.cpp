@@ -1,0 +1,129 @@
+#include "core/registration/quality/SurfaceCells.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/registration/ndt/CellMoments.h"
+#include "core/registration/ndt/VoxelGrid.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::uint32_t kFewestPoints = 8;
+constexpr double kFlat = 0.06;    // of the smallest eigenvalue in the sum: noise of a seventh of the voxel
+constexpr double kNarrow = 0.08;  // of the middle eigenvalue in the largest: less is a line
+
+double square(double x) {
+    return x * x;
+}
+
+bool planar(const CellMoments& moments, double size, SurfaceCell& cell) {
+    if (moments.count < kFewestPoints) return false;
+    const double n = moments.count;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.scatterMatrix() / (n - 1));
+    const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0);
+    if (values[0] > kFlat * values.sum() || values[1] < kNarrow * values[2]) return false;
+    cell.mean = moments.meanVector();
+    cell.normal = solver.eigenvectors().col(0);
+    cell.wide = solver.eigenvectors().col(2);
+    cell.thickness_m = std::sqrt(values[0]);
+    cell.wide_m = std::sqrt(values[2]);
+    cell.narrow_m = std::sqrt(values[1]);
+    cell.size_m = size;
+    // A filled rectangle of these standard deviations.
+    cell.area_m2 = std::min(12 * cell.wide_m * cell.narrow_m, 2 * square(size));
+    cell.count = n;
+    return true;
+}
+
+}  // namespace
+
+double SurfaceCell::planeVariance(const Eigen::Vector3d& offset) const {
+    const double along = offset.dot(wide);
+    const double across = offset.dot(wide.cross(normal));
+    return square(thickness_m) / count * (1 + square(along / wide_m) + square(across / narrow_m));
+}
+
+std::vector<SurfaceCell> surfaceCells(std::span<const Eigen::Vector3f> points, double finest_m, int levels) {
+    std::vector<SurfaceCell> cells;
+    double size = finest_m;
+    std::vector<CellMoments> moments = gatherPoints(points, VoxelGrid(size));
+    for (int level = 0; level < levels; ++level, size *= 2) {
+        if (level > 0) moments = gatherCells(moments, VoxelGrid(size));
+        std::vector<CellMoments> left;
+        for (const CellMoments& one : moments) {
+            SurfaceCell cell;
+            if (planar(one, size, cell))
+                cells.push_back(cell);
+            else
+                left.push_back(one);
+        }
+        moments = std::move(left);
+    }
+    return cells;
+}
+
+double flattestQuarter(std::span<const Eigen::Vector3f> points, double size_m) {
+    std::vector<double> thicknesses;
+    for (const CellMoments& one : gatherPoints(points, VoxelGrid(size_m))) {
+        if (one.count < kFewestPoints) continue;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(one.scatterMatrix() / (one.count - 1.0),
+                                                                    Eigen::EigenvaluesOnly);
+        if (solver.eigenvalues()[1] > kNarrow * solver.eigenvalues()[2])
+            thicknesses.push_back(std::sqrt(std::max(0.0, solver.eigenvalues()[0])));
+    }
+    if (thicknesses.empty()) return 0;
+    const auto quarter = thicknesses.begin() + static_cast<std::ptrdiff_t>(thicknesses.size() / 4);
+    std::nth_element(thicknesses.begin(), quarter, thicknesses.end());
+    return *quarter;
+}
+
+SurfaceIndex::SurfaceIndex(std::vector<SurfaceCell> cells, double finest_m, int levels)
+    : cells_(std::move(cells)), finest_m_(finest_m), levels_(static_cast<std::size_t>(levels)) {
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+        const auto level = static_cast<std::size_t>(std::lround(std::log2(cells_[i].size_m / finest_m_)));
+        const Eigen::Vector3d& mean = cells_[i].mean;
+        levels_[level].push_back({VoxelGrid(cells_[i].size_m).key(mean.x(), mean.y(), mean.z()), i});
+    }
+    for (auto& level : levels_)
+        std::sort(level.begin(), level.end(), [](const Entry& a, const Entry& b) {
+            return a.key != b.key ? a.key < b.key : a.cell < b.cell;
+        });
+}
+
+const SurfaceCell* SurfaceIndex::over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal,
+                                      double cosine) const {
+    constexpr double kReach = 0.75;
+    double size = finest_m_;
+    for (const auto& level : levels_) {
+        const std::uint64_t middle = VoxelGrid(size).key(x.x(), x.y(), x.z());
+        const SurfaceCell* best = nullptr;
+        double nearest = 0;
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy) {
+                // Neighbours along x have consecutive keys.
+                const std::uint64_t first = VoxelGrid::neighbour(middle, -1, dy, dz);
+                if (first == VoxelGrid::kNoKey) continue;
+                auto entry = std::lower_bound(level.begin(), level.end(), first,
+                                              [](const Entry& e, std::uint64_t key) { return e.key < key; });
+                for (; entry != level.end() && entry->key <= first + 2; ++entry) {
+                    const SurfaceCell& cell = cells_[entry->cell];
+                    const Eigen::Vector3d offset = x - cell.mean;
+                    const double height = std::abs(offset.dot(cell.normal));
+                    if (offset.squaredNorm() - height * height > square(kReach * size) ||
+                        height > kReach * size || std::abs(cell.normal.dot(normal)) < cosine)
+                        continue;
+                    if (!best || height < nearest) {
+                        best = &cell;
+                        nearest = height;
+                    }
+                }
+            }
+        if (best) return best;
+        size *= 2;
+    }
+    return nullptr;
+}
+
+}  // namespace vestige
