@@ -11,6 +11,7 @@
 #include "core/io/FormatRegistry.h"
 #include "core/registration/InitialPose.h"
 #include "core/registration/RegistrationJson.h"
+#include "core/registration/global/FirstPose.h"
 
 namespace vestige::cli {
 namespace {
@@ -28,8 +29,9 @@ struct Options {
 /// Where the source starts from, and what the user should know about it.
 struct Start {
     Similarity pose;
-    std::optional<double> error_m;  ///< of picked pairs
+    std::optional<double> error_m;  ///< of picked pairs, or of what the search found
     std::vector<std::string> notes;
+    std::optional<FirstPose> found;  ///< by the search
 };
 
 /// The unit that --unit names, else the one that the clouds (and pairs) speak for.
@@ -42,8 +44,18 @@ double scaleOf(const Options& options, const TriangleMesh& target, const Triangl
     return metresPer(guess.unit);
 }
 
-Result<Start> startFrom(const Options& options, const TriangleMesh& target, const TriangleMesh& source) {
+Result<Start> startFrom(const Options& options, const TriangleMesh& target, const TriangleMesh& source,
+                        const JobControl& control) {
     Start start;
+    if (options.init == "auto") {
+        Result<FirstPose> found =
+            findFirstPose(target, source, lengthUnitFromSymbol(options.unit), options.parameters, control);
+        if (!found) return fail(found.error());
+        start.pose = found->targetFromSource;
+        start.error_m = found->error_m;
+        start.found = std::move(*found);
+        return start;
+    }
     if (options.init == "identity") {
         start.pose.scale = scaleOf(options, target, source, {}, start.notes);
         return start;
@@ -93,18 +105,15 @@ void report(const Session& session, const Options& options, const RegistrationRe
 }
 
 int runRegister(Session& session, const Options& options) {
-    if (options.init == "auto")
-        return session.failed({ErrorCode::usage, "the automatic search for a first pose is not available yet",
-                               "--init", "give identity, a pose file or picked pairs (.csv)"});
     if (!options.aligned.empty())
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> target = readGeometry(options.target, control.sub(0, 0.3));
+    const Result<LoadedGeometry> target = readGeometry(options.target, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
-    const Result<LoadedGeometry> source = readGeometry(options.source, control.sub(0.3, 0.6));
+    const Result<LoadedGeometry> source = readGeometry(options.source, control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
-    const Result<Start> start = startFrom(options, target->geometry, source->geometry);
+    const Result<Start> start = startFrom(options, target->geometry, source->geometry, control.sub(0.4, 0.6));
     if (!start) return session.failed(start.error());
     ParameterSet parameters = options.parameters;
     if (start->error_m && parameters.isDefault("start_error_m"))
@@ -114,6 +123,7 @@ int runRegister(Session& session, const Options& options) {
                                                             parameters, control.sub(0.6, 0.95));
     if (!result) return session.failed(result.error());
     result->notes.insert(result->notes.begin(), start->notes.begin(), start->notes.end());
+    if (start->found) addFirstPose(*result, *start->found);
     if (!result->trustworthy()) {
         session.printJson(registrationJson(*result, true));
         for (const std::string& note : result->notes) session.log(note);
@@ -138,9 +148,9 @@ Run declareRegister(CLI::App& command) {
     command.add_option("SOURCE", options->source, "Cloud or mesh that is laid on the target")->required();
     command.add_option("--pose-out", options->poseOut, "JSON file for the pose that maps SOURCE into TARGET")
         ->required();
-    command.add_option(
-        "--init", options->init,
-        "First pose: identity, a pose file (.json) or picked pairs (.csv). Default: identity.");
+    command.add_option("--init", options->init,
+                       "First pose: identity, auto (searched), a pose file (.json) or picked pairs (.csv). "
+                       "Default: identity.");
     command.add_option("--unit", options->unit, "Unit of SOURCE: m, mm or auto. Default: auto.")
         ->check([](const std::string& text) {
             return text == "auto" || lengthUnitFromSymbol(text) ? std::string() : "expected m, mm or auto";

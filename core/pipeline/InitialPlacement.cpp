@@ -46,28 +46,40 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
     UnitChoice choice = chooseUnit(layer, target, metric);
     const auto alignment = alignPairs(metric, metresPer(choice.unit));
     if (!alignment) return fail(alignment.error());
-    InitialPlacement placement{alignment->targetFromSource, std::nullopt, alignment->rms_m,
-                               std::move(choice.notes)};
+    InitialPlacement placement{
+        alignment->targetFromSource, std::nullopt, alignment->rms_m, std::move(choice.notes), {}};
     const double worst = *std::max_element(alignment->residuals_m.begin(), alignment->residuals_m.end());
     placement.reach_m = kPickReach_m + 3 * worst;
     placement.notes.push_back(describePairs(*alignment));
     return placement;
 }
 
+Result<InitialPlacement> fromSearch(const SceneState& scene, const Layer& layer, const Layer& target,
+                                    const JobControl& control) {
+    const Similarity metresFromTarget{Pose::Identity(), target.metresPerUnit()};
+    auto found = metresFromTarget.isIdentity()
+                     ? findFirstPose(*target.data->geometry, *layer.data->geometry, layer.unit,
+                                     scene.registration, control)
+                     : findFirstPose(target.data->geometry->transformed(metresFromTarget),
+                                     *layer.data->geometry, layer.unit, scene.registration, control);
+    if (!found) return fail(found.error());
+    InitialPlacement placement{found->targetFromSource, kPickReach_m, found->error_m, {}, {}};
+    placement.found = std::move(*found);
+    return placement;
+}
+
 }  // namespace
 
-Result<InitialPlacement> initialPlacement(const SceneState& scene, const Layer& layer, const Layer& target) {
+Result<InitialPlacement> initialPlacement(const SceneState& scene, const Layer& layer, const Layer& target,
+                                          const JobControl& control) {
     if (const auto* picks = std::get_if<InitPicks>(&layer.init))
         return fromPicks(scene, layer, target, *picks);
-    if (std::holds_alternative<InitAuto>(layer.init))
-        return fail(ErrorCode::input,
-                    "the first pose \"auto\" cannot be found: this version has no automatic search",
-                    "layer " + layer.id, "give \"init\" as picked pairs or as a pose");
+    if (std::holds_alternative<InitAuto>(layer.init)) return fromSearch(scene, layer, target, control);
     if (const auto* pose = std::get_if<InitPose>(&layer.init))
-        return InitialPlacement{pose->targetFromSource, kPickReach_m, std::nullopt, {}};
+        return InitialPlacement{pose->targetFromSource, kPickReach_m, std::nullopt, {}, {}};
     UnitChoice choice = chooseUnit(layer, target, {});
     return InitialPlacement{
-        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::nullopt, std::move(choice.notes)};
+        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::nullopt, std::move(choice.notes), {}};
 }
 
 }  // namespace vestige

@@ -91,12 +91,12 @@ Result<PreparedRegistration> prepareRegistration(const SceneState& scene, const 
     return guarded("layer " + layer, [&]() -> Result<PreparedRegistration> {
         const auto pair = findPair(scene, layer);
         if (!pair) return fail(pair.error());
-        auto placement = initialPlacement(scene, *pair->source, *pair->target);
+        auto placement = initialPlacement(scene, *pair->source, *pair->target, control.sub(0, 0.7));
         if (!placement) return fail(placement.error());
-        auto target = preparedTarget(scene, *pair->target, *pair->source, *placement, control);
+        auto target = preparedTarget(scene, *pair->target, *pair->source, *placement, control.sub(0.7, 1));
         if (!target) return fail(target.error());
         return PreparedRegistration{std::move(*target), placement->targetFromSource, placement->error_m,
-                                    std::move(placement->notes)};
+                                    std::move(placement->notes), std::move(placement->found)};
     });
 }
 
@@ -116,6 +116,10 @@ Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::
         return fail(std::move(error));
     }
     result->notes.insert(result->notes.begin(), prepared.notes.begin(), prepared.notes.end());
+    if (prepared.found) addFirstPose(*result, *prepared.found);
+    if (!result->trustworthy())
+        return fail(ErrorCode::untrustworthy, result->reasons.front(), "layer " + layer,
+                    "give picked pairs as the first pose");
     return result;
 }
 

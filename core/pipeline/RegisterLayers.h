@@ -6,6 +6,7 @@
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
+#include "core/registration/global/FirstPose.h"
 #include "core/scene/Scene.h"
 
 namespace vestige {
@@ -21,11 +22,12 @@ struct PreparedRegistration {
     Similarity initial;             ///< its scale: metres per unit of the source
     std::optional<double> error_m;  ///< of the first pose, where picked pairs tell it
     std::vector<std::string> notes;
+    std::optional<FirstPose> found;  ///< by the search, where the layer's first pose is automatic
 };
 
 /// Unit, first pose and the preprocessed target of one loaded layer. ErrorCode::input for an initial pose
-/// that cannot be had ("auto", broken picks), ErrorCode::untrustworthy when the pose puts the scan away from
-/// the target or the picks do not determine it.
+/// that cannot be had (broken picks), ErrorCode::untrustworthy when the pose puts the scan away from the
+/// target, the picks do not determine it or the search finds no place.
 Result<PreparedRegistration> prepareRegistration(const SceneState& scene, const std::string& layer,
                                                  const JobControl& control);
 Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::string& layer,

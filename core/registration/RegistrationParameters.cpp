@@ -217,6 +217,28 @@ const ParameterTable& registrationParameters() {
          1000.0,
          {},
          "A registration is doubtful when the longest half axis of its 95 % ellipsoid is longer."},
+        {"search_voxel_m",
+         "search-voxel",
+         "Voxel of the first pose's search",
+         "m",
+         real,
+         std::monostate{},
+         0.0001,
+         100.0,
+         {},
+         "What the search for a first pose thins both clouds to; automatic: a fortieth of the source's radius, "
+         "more where the clouds are coarse or noisy."},
+        {"search_margin",
+         "search-margin",
+         "Margin between first poses",
+         "",
+         real,
+         0.1,
+         0.0,
+         1.0,
+         {},
+         "A second place that agrees with the target as well as the best but for this share makes the first "
+         "pose ambiguous."},
     };
     return table;
 }

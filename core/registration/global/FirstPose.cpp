@@ -1,0 +1,191 @@
+#include "core/registration/global/FirstPose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Numbers.h"
+#include "core/base/Parallel.h"
+#include "core/registration/InitialPose.h"
+#include "core/registration/RegistrationFrame.h"
+#include "core/registration/global/JudgePoses.h"
+#include "core/registration/global/ProposePoses.h"
+#include "core/registration/global/SearchVoxel.h"
+
+namespace vestige {
+namespace {
+
+constexpr double kMeshSamples = 3e5;
+constexpr std::size_t kProposed = 12;
+constexpr std::size_t kShown = 5;
+/// Below this no candidate is worth a registration.
+constexpr double kLeastScore = 0.1;
+/// A better score than this needs no second look with other voxels, unless it has rivals.
+constexpr double kConvincing = 0.35;
+constexpr double kOtherVoxel = 1.5;
+/// Poses are judged on surfels of this share of the search's voxel: edges blur larger ones.
+constexpr double kJudgeShare = 0.5;
+/// A source smaller than this share of the target is a local scan: what surrounds its place must not pull it
+/// away, so the registration is told how good the first pose is.
+constexpr double kLocal = 0.25;
+constexpr double kErrorPerVoxel = 0.25;
+
+PointCloud pointsOf(const TriangleMesh& geometry) {
+    if (!geometry.isMesh()) return geometry.vertices;
+    return sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
+}
+
+struct Candidate {
+    JudgedPose judged;
+    Similarity targetFromSource;
+    double voxel_m = 0;
+};
+
+/// What is found with one unit.
+struct UnitSearch {
+    std::vector<Candidate> candidates;  // best first
+    double radius_m = 0;
+    double voxel_m = 0;
+};
+
+Surfels seenFrom(Surfels surfels, const Eigen::Vector3d& origin) {
+    const Eigen::Vector3f offset = (surfels.origin - origin).cast<float>();
+    for (Eigen::Vector3f& point : surfels.points) point += offset;
+    surfels.origin = origin;
+    return surfels;
+}
+
+UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, double scale,
+                          const ParameterSet& parameters, const JobControl& control) {
+    UnitSearch search;
+    search.radius_m = scale * surfaceRadius(source);
+    search.voxel_m = parameters.optionalReal("search_voxel_m")
+                         .value_or(searchVoxel(target, source, scale, search.radius_m));
+    const double margin = parameters.real("search_margin");
+    const Surfels here = surfelsOf(source, scale, search.voxel_m, control);
+    const Surfels there = surfelsOf(target, 1, search.voxel_m, control);
+    if (here.size() < kFewestSurfels || there.size() < kFewestSurfels) return search;
+    std::vector<Eigen::Vector3f> points(target.size());
+    parallelFor(target.size(), 65536, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) points[i] = (target.point(i) - there.origin).cast<float>();
+    });
+    std::vector<ProposedPose> proposals = proposePoses(there, here, kProposed, control.sub(0, 0.4));
+    const Surfels fine =
+        seenFrom(surfelsOf(source, scale, kJudgeShare * search.voxel_m, control), here.origin);
+    std::vector<JudgedPose> judged = judgePoses(points, fine, proposals);
+    const bool convincing = !judged.empty() && judged[0].evidence.score() > kConvincing &&
+                            (judged.size() < 2 || !rivals(judged[1], judged[0], margin));
+    if (!convincing) {
+        const Surfels coarseHere = surfelsOf(source, scale, kOtherVoxel * search.voxel_m, control);
+        const Surfels coarseThere = surfelsOf(target, 1, kOtherVoxel * search.voxel_m, control);
+        for (ProposedPose pose : proposePoses(coarseThere, coarseHere, kProposed, control.sub(0.5, 0.9))) {
+            // From the coarse surfels' frames to the fine ones'.
+            pose.targetFromSource.translation() +=
+                coarseThere.origin - there.origin -
+                pose.targetFromSource.linear() * (coarseHere.origin - here.origin);
+            proposals.push_back(pose);
+        }
+        judged = judgePoses(points, fine, proposals);
+    }
+    for (const JudgedPose& one : judged) {
+        Similarity world{one.targetFromSource, scale};
+        world.pose.translation() =
+            there.origin + one.targetFromSource.translation() - one.targetFromSource.linear() * here.origin;
+        search.candidates.push_back({one, world, search.voxel_m});
+    }
+    return search;
+}
+
+std::vector<double> scalesToTry(const TriangleMesh& target, const TriangleMesh& source,
+                                std::optional<LengthUnit> unit, std::vector<std::string>& notes) {
+    if (unit) return {metresPer(*unit)};
+    const UnitGuess guess = guessUnit(target, source, {});
+    if (guess.certain) {
+        if (guess.unit != LengthUnit::metre) notes.push_back(guess.reason);
+        return {metresPer(guess.unit)};
+    }
+    std::vector<double> scales;
+    const double extent = source.vertices.bounds().diagonal();
+    const double scene = target.vertices.bounds().diagonal();
+    for (const LengthUnit one :
+         {guess.unit, guess.unit == LengthUnit::metre ? LengthUnit::millimetre : LengthUnit::metre})
+        if (plausibleExtent(metresPer(one) * extent, scene)) scales.push_back(metresPer(one));
+    if (scales.empty()) scales.push_back(metresPer(guess.unit));
+    if (scales.size() > 1)
+        notes.emplace_back("the unit is not certain, metres and millimetres were both tried");
+    return scales;
+}
+
+std::string describe(const Candidate& candidate) {
+    const Eigen::Vector3d at = candidate.targetFromSource.pose.translation();
+    std::string text = "at ";
+    text.append(fixedText(at.x(), 2)).append(", ").append(fixedText(at.y(), 2)).append(", ");
+    text.append(fixedText(at.z(), 2)).append(" (score ");
+    text.append(fixedText(candidate.judged.evidence.score(), 2)).append(", ");
+    return text.append(fixedText(100 * candidate.judged.evidence.coverage, 0)).append(" % of the scan met)");
+}
+
+}  // namespace
+
+Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& source,
+                                std::optional<LengthUnit> unit, const ParameterSet& parameters,
+                                const JobControl& control) {
+    return guarded("search for a first pose", [&]() -> Result<FirstPose> {
+        const PointCloud there = pointsOf(target);
+        const PointCloud here = pointsOf(source);
+        if (there.empty() || here.empty())
+            return fail(ErrorCode::untrustworthy,
+                        there.empty() ? "the target is empty" : "the source is empty");
+        FirstPose first;
+        std::vector<Candidate> candidates;
+        double radius_m = 0;
+        const std::vector<double> scales = scalesToTry(target, source, unit, first.notes);
+        for (std::size_t i = 0; i < scales.size(); ++i) {
+            const auto part = [&](std::size_t k) {
+                return static_cast<double>(k) / static_cast<double>(scales.size());
+            };
+            UnitSearch search =
+                searchWithUnit(there, here, scales[i], parameters, control.sub(part(i), part(i + 1)));
+            if (search.candidates.empty()) continue;
+            if (!candidates.empty() &&
+                candidates[0].judged.evidence.score() >= search.candidates[0].judged.evidence.score())
+                continue;
+            candidates = std::move(search.candidates);
+            radius_m = search.radius_m;
+        }
+        if (candidates.empty() || candidates[0].judged.evidence.score() < kLeastScore)
+            return fail(ErrorCode::untrustworthy, "no place in the target looks like the source", {},
+                        "give picked pairs (.csv) or a pose as the first pose, or the unit");
+        const Candidate& best = candidates.front();
+        first.targetFromSource = best.targetFromSource;
+        if (radius_m < kLocal * surfaceRadius(there)) first.error_m = kErrorPerVoxel * best.voxel_m;
+        const double margin = parameters.real("search_margin");
+        std::string& note = first.notes.emplace_back("first pose found ");
+        note.append(describe(best)).append(", with voxels of ").append(fixedText(best.voxel_m, 3));
+        note.append(best.targetFromSource.scale == 1 ? " m, the source in metres"
+                                                     : " m, the source in millimetres");
+        for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) {
+            const Candidate& one = candidates[i];
+            if (i > 0 && one.judged.evidence.score() <= 0) break;
+            first.candidates.push_back(
+                {one.targetFromSource, std::clamp(one.judged.evidence.score(), 0.0, 1.0)});
+            if (i == 0) continue;
+            const bool rival = rivals(one.judged, best.judged, margin);
+            first.ambiguous = first.ambiguous || rival;
+            first.notes.push_back(describe(one));
+            first.notes.back().append(rival ? ": as good" : ": worse");
+        }
+        control.progress(1, "first pose");
+        return first;
+    });
+}
+
+void addFirstPose(RegistrationResult& result, const FirstPose& first) {
+    result.notes.insert(result.notes.begin(), first.notes.begin(), first.notes.end());
+    result.candidates = first.candidates;
+    if (!first.ambiguous || result.verdict == Verdict::failed) return;
+    result.verdict = Verdict::ambiguous;
+    result.reasons.emplace(result.reasons.begin(),
+                           "the scan fits several places equally well, the data cannot tell them apart");
+}
+
+}  // namespace vestige
