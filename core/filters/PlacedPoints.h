@@ -50,10 +50,11 @@ class PointPlacer {
         __m256i within[3];
     };
     /// Points i ... i + 3.
-    Four place(std::size_t i) const {
+    [[gnu::always_inline]] Four place(std::size_t i) const {
         FourOffsets offsets = fourOf(points_.offsets, i);
         if (!points_.residuals.empty()) {
             const FourOffsets residuals = fourOf(points_.residuals, i);
+#pragma GCC unroll 3
             for (std::size_t axis = 0; axis < 3; ++axis)
                 offsets.axes[axis] = _mm256_add_pd(offsets.axes[axis], residuals.axes[axis]);
         }
@@ -62,12 +63,44 @@ class PointPlacer {
     /// The last points, fewer than four, from point i on; the lanes beyond repeat the last.
     Four placeLast(std::size_t i) const;
 
+    /// use(index, bucket, PlacedPoint in a register) for the points [begin, end) in their order; a bucket is
+    /// a key without its lowest `keyBits`, at most 32, which stay with the point.
+    template <class Use>
+    void each(std::size_t begin, std::size_t end, unsigned keyBits, const Use& use) const {
+        std::size_t i = begin;
+        for (; i + 4 <= end; i += 4) deal(place(i), i, 4, keyBits, use);
+        if (i < end) deal(placeLast(i), i, end - i, keyBits, use);
+    }
+
     /// Offset from the origin of the place `within` + whole cells `steps`, as PlacedPoint has them.
     double offset(int axis, std::int64_t steps, double within) const {
         return ((static_cast<double>(steps << kFractionBits) + within) - shift_[axis]) * perStep_;
     }
 
   private:
+    template <class Use>
+    [[gnu::always_inline]] static void deal(const Four& four, std::size_t first, std::size_t lanes,
+                                            unsigned keyBits, const Use& use) {
+        const __m256i lowKey = _mm256_set1_epi64x((std::int64_t{1} << keyBits) - 1);
+        alignas(32) std::array<std::uint64_t, 4> bucket;
+        _mm256_store_si256(reinterpret_cast<__m256i*>(bucket.data()),
+                           _mm256_srl_epi64(four.key, _mm_cvtsi32_si128(static_cast<int>(keyBits))));
+        // x y | z key of each point, two points to a register.
+        const __m256i xy = _mm256_or_si256(four.within[0], _mm256_slli_epi64(four.within[1], 32));
+        const __m256i zKey =
+            _mm256_or_si256(four.within[2], _mm256_slli_epi64(_mm256_and_si256(four.key, lowKey), 32));
+        const __m256i even = _mm256_unpacklo_epi64(xy, zKey);
+        const __m256i odd = _mm256_unpackhi_epi64(xy, zKey);
+        const __m128i placed[]{_mm256_castsi256_si128(even), _mm256_castsi256_si128(odd),
+                               _mm256_extracti128_si256(even, 1), _mm256_extracti128_si256(odd, 1)};
+        if (lanes == 4) {
+#pragma GCC unroll 4
+            for (std::size_t lane = 0; lane < 4; ++lane) use(first + lane, bucket[lane], placed[lane]);
+        } else {
+            for (std::size_t lane = 0; lane < lanes; ++lane) use(first + lane, bucket[lane], placed[lane]);
+        }
+    }
+
     struct FourOffsets {
         __m256d axes[3];
     };
@@ -86,12 +119,13 @@ class PointPlacer {
                  _mm256_cvtps_pd(_mm_permute_ps(z, 0b11000110))}};
     }
 
-    Four place(const FourOffsets& offsets) const {
+    [[gnu::always_inline]] Four place(const FourOffsets& offsets) const {
         const __m256d scale = _mm256_set1_pd(scale_);
         const __m256i fraction = _mm256_set1_epi64x((std::int64_t{1} << kFractionBits) - 1);
         const __m256i cell = _mm256_set1_epi64x((std::int64_t{1} << 21) - 1);
         Four four;
         __m256i cells[3];
+#pragma GCC unroll 3
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const int a = static_cast<int>(axis);
             __m256d fixed = _mm256_fmadd_pd(offsets.axes[axis], scale, _mm256_set1_pd(shiftOfFixed_[a]));

@@ -54,6 +54,7 @@ class BoxTree {
 
     static __m256 squaredDistances(const Node& node, const FloatBox& query) {
         __m256 sum{};
+#pragma GCC unroll 3
         for (int axis = 0; axis < 3; ++axis) {
             const auto a = static_cast<std::size_t>(axis);
             const __m256 below =

@@ -14,8 +14,10 @@ template <class Value>
 std::vector<Value> selected(const std::vector<Value>& all, std::span<const std::uint32_t> indices) {
     std::vector<Value> chosen;
     if (all.empty()) return chosen;
-    chosen.reserve(indices.size());
-    for (const std::uint32_t index : indices) chosen.push_back(all[index]);
+    chosen.resize(indices.size());
+    parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) chosen[i] = all[indices[i]];
+    });
     return chosen;
 }
 
@@ -40,7 +42,23 @@ PointCloud::PointCloud(Eigen::Vector3d origin, std::vector<Eigen::Vector3f> offs
       offsets_(std::move(offsets)),
       residuals_(std::move(residuals)),
       attributes_(std::move(attributes)) {
-    for (std::size_t i = 0; i < size(); ++i) bounds_.add(point(i));
+    std::vector<BoundingBox> parts((size() + kGrain - 1) / kGrain);
+    parallelChunks(size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        // A point's coordinates grow with its offset's, so that without residuals the offsets' bounds do.
+        if (residuals_.empty()) {
+            Eigen::Vector3f least = offsets_[begin];
+            Eigen::Vector3f most = least;
+            for (std::size_t i = begin + 1; i < end; ++i) {
+                least = least.cwiseMin(offsets_[i]);
+                most = most.cwiseMax(offsets_[i]);
+            }
+            parts[chunk].add(Eigen::Vector3d(origin_ + least.cast<double>()));
+            parts[chunk].add(Eigen::Vector3d(origin_ + most.cast<double>()));
+        } else {
+            for (std::size_t i = begin; i < end; ++i) parts[chunk].add(point(i));
+        }
+    });
+    for (const BoundingBox& part : parts) bounds_.add(part);
 }
 
 PointCloud PointCloud::select(std::span<const std::uint32_t> indices) const {
