@@ -1,4 +1,4 @@
-# The part of PCL that core/registration/peers needs. PCL's own package file would bring VTK and Qt along.
+# The part of PCL that tests/bench/peers needs. PCL's own package file would bring VTK and Qt along.
 find_path(PCL_REGISTRATION_HEADERS pcl/registration/ndt.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-1.15 pcl)
 set(pcl_libraries "")
 foreach(part registration filters sample_consensus search octree kdtree common)

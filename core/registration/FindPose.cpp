@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/registration/PeerMethods.h"
+#include "core/registration/icp/PointToPlaneIcp.h"
+#include "core/registration/ndt/ClassicNdt.h"
 #include "core/registration/ndt/ImprovedNdt.h"
 
 namespace vestige {
@@ -12,7 +13,7 @@ constexpr double kLargestStart_m = 4;
 constexpr double kPaperStart_m = 1;  // the largest size of the publication's table 2
 constexpr double kPaperTrustRadius_m = 0.1;
 constexpr double kFloor_m = 0.1;
-constexpr double kPeerVoxel_m = 1;
+constexpr double kSingleVoxel_m = 1;
 /// A first pose that is known needs no cells that reach further than it may be off, 2 sigma to either side.
 /// Smaller cells than this share of the source's radius hold too little of a surface (docs/decisions/0005).
 constexpr double kStartErrorsPerCell = 4;
@@ -52,15 +53,19 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
     return options;
 }
 
-PeerMethodOptions peerOptions(const ParameterSet& parameters, double sourceRadius_m) {
-    PeerMethodOptions options;
-    options.method = parameters.text("method");
-    options.voxel_m = parameters.optionalReal("voxel_m").value_or(std::min(kPeerVoxel_m, sourceRadius_m / 4));
-    options.leaf_m = parameters.optionalReal("leaf_m");
-    if (!parameters.isDefault("outlier_ratio")) options.outlierRatio = parameters.real("outlier_ratio");
-    options.rangeNoise_m = parameters.optionalReal("range_noise_m").value_or(0);
-    options.iterationLimit = static_cast<int>(parameters.integer("max_iterations"));
-    return options;
+double singleVoxel(const ParameterSet& parameters, double sourceRadius_m) {
+    return parameters.optionalReal("voxel_m").value_or(std::min(kSingleVoxel_m, sourceRadius_m / 4));
+}
+
+ClassicNdtOptions classicOptions(const ParameterSet& parameters, double sourceRadius_m) {
+    const ImprovedNdtOptions ndt = ndtOptions(parameters, sourceRadius_m);
+    return {singleVoxel(parameters, sourceRadius_m), ndt.leaf_m, ndt.distributions, ndt.trustRegion};
+}
+
+IcpOptions icpOptions(const ParameterSet& parameters, double sourceRadius_m) {
+    return {singleVoxel(parameters, sourceRadius_m), parameters.optionalReal("leaf_m"),
+            parameters.optionalReal("range_noise_m").value_or(0), parameters.real("step_limit_m"),
+            static_cast<int>(parameters.integer("max_iterations"))};
 }
 
 }  // namespace
@@ -76,12 +81,13 @@ Result<RegistrationResult> findPose(const PointCloud& target, const PointCloud& 
     const ImprovedNdtOptions ndt = ndtOptions(parameters, radius);
     const double margin = 2 * std::max(ndt.voxelStart_m, ndt.voxel_m.value_or(0)) + 0.5 * radius;
     const RegistrationFrame frame(target, source, initial, margin);
+    const std::string method = parameters.text("method");
     Result<RegistrationResult> result =
-        parameters.text("method") == "improved-ndt"
-            ? improvedNdt(frame, initial, ndt, control, watch)
-            : peerMethod(frame, initial, peerOptions(parameters, radius), control);
+        method == "ndt"   ? classicNdt(frame, initial, classicOptions(parameters, radius), control, watch)
+        : method == "icp" ? pointToPlaneIcp(frame, initial, icpOptions(parameters, radius), control, watch)
+                          : improvedNdt(frame, initial, ndt, control, watch);
     if (!result) return result;
-    result->method = parameters.text("method");
+    result->method = method;
     result->initial = initial;
     result->radius_m = radius;
     return result;

@@ -14,7 +14,7 @@ const ParameterTable& registrationParameters() {
          {},
          {},
          {"improved-ndt", "ndt", "icp"},
-         "How the source is registered: improved NDT, or PCL's classic NDT or ICP to compare with."},
+         "How the source is registered: improved NDT, or classic NDT or point-to-plane ICP to compare with."},
         {"preset",
          "preset",
          "Preset",

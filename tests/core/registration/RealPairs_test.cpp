@@ -49,17 +49,18 @@ TEST(RealPairs, StreetFromIdentity) {
     }
 }
 
-TEST(RealPairs, StreetByThePeers) {
+TEST(RealPairs, StreetByTheMethodsToCompareWith) {
     VESTIGE_SHARED_OR_SKIP(targetFile, "registration/street/target.ply");
     VESTIGE_SHARED_OR_SKIP(sourceFile, "registration/street/source.ply");
     VESTIGE_SHARED_OR_SKIP(reference, "registration/street/T_target_source.txt");
     const TriangleMesh target = read(targetFile), source = read(sourceFile);
     for (const char* method : {"ndt", "icp"}) {
-        const auto result = registerGeometry(target, source, {}, with(method));
+        // A verdict is another matter: from starts nearby they may end elsewhere.
+        const auto result = attemptRegistration(target, source, {}, with(method));
         ASSERT_TRUE(result) << result.error().sentence();
         EXPECT_EQ(result->method, method);
         EXPECT_GT(result->iterations, 1);
-        EXPECT_LT(distanceAt(result->targetFromSource.pose, matrixOf(reference), {0, 0, 0}), 0.3) << method;
+        EXPECT_LT(distanceAt(result->targetFromSource.pose, matrixOf(reference), {0, 0, 0}), 0.05) << method;
         EXPECT_LT(turnBetween(result->targetFromSource.pose, matrixOf(reference)), 1) << method;
     }
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "core/registration/RegistrationFrame.h"
+#include "core/registration/ndt/CellMoments.h"
+
+namespace vestige {
+
+/// The source's points at any thinning, gathered once: one centroid per voxel, neighbours in space near in
+/// memory.
+class SourceLevels {
+  public:
+    /// `frame` must outlive the levels; `leaf` is the finest thinning, metres.
+    SourceLevels(const RegistrationFrame& frame, double leaf);
+
+    /// Thinned to `size`, or to the leaf where that is larger.
+    CentredSource at(double size) const;
+
+  private:
+    const RegistrationFrame& frame_;
+    double leaf_;
+    std::vector<CellMoments> finest_;
+};
+
+}  // namespace vestige
