@@ -1,7 +1,7 @@
 // How wrong a first pose may be: of 50 random first poses, wrong by exactly so many metres and degrees, how
 // many end under 0.1 m and 1 degree from the reference.
 //
-//   bench_basin [--pairs=street,...] [--starts=50] [--ours]
+//   bench_basin [--pairs=street,...] [--starts=50] [--only=METHOD]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     // The larger clouds only ours, whose basin is asked for there; a peer would take an hour.
     std::vector<std::string> names = pairNames();
     int starts = 50;
-    bool oursOnly = false;
+    std::string only;
     for (int i = 1; i < argc; ++i) {
         const std::string argument = argv[i];
         if (argument.starts_with("--pairs=")) {
@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
             for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
         } else if (argument.starts_with("--starts=")) {
             starts = std::max(1, std::atoi(argument.c_str() + 9));
-        } else if (argument == "--ours") {
-            oursOnly = true;
+        } else if (argument.starts_with("--only=")) {
+            only = argument.substr(7);
         } else {
             std::fprintf(stderr, "unknown argument %s\n", argument.c_str());
             return 2;
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
         for (const Row& row : kRows) {
             for (const Contender& contender : contenders(false)) {
                 if (contender.name != row.contender) continue;
-                if (oursOnly && !contender.ours) continue;
+                if (!only.empty() && contender.name != only) continue;
                 if (large && contender.name != kRows[0].contender) continue;
                 printRow(pair, contender, row.leaf_m, starts);
             }

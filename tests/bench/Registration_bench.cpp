@@ -1,6 +1,6 @@
 // Registration from points in memory to the pose: ours beside PCL's and Open3D's, round by round.
 //
-//   bench_registration [--pairs=street,room,...] [--rounds=5] [--threads=1,2] [--ours]
+//   bench_registration [--pairs=street,room,...] [--rounds=5] [--threads=1,2] [--only=METHOD]
 //                      [--markdown=FILE] [Google Benchmark's own options]
 //
 // First every setting runs once, which fixes the errors (they do not depend on chance) and the setting that
@@ -26,7 +26,7 @@ struct Options {
     std::vector<std::string> pairs = pairNames();
     std::vector<int> threads{1, 2};
     int rounds = 5;
-    bool oursOnly = false;
+    std::string only;
     std::string markdown;
 };
 
@@ -52,8 +52,8 @@ bool parse(int& argc, char** argv, Options& options) {
             for (const std::string& count : split(value)) options.threads.push_back(std::stoi(count));
         } else if (key == "--rounds") {
             options.rounds = std::stoi(value);
-        } else if (key == "--ours") {
-            options.oursOnly = true;
+        } else if (key == "--only") {
+            options.only = value;
         } else if (key == "--markdown") {
             options.markdown = value;
         } else {
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
     const std::string machine = describeMachine();
     std::fputs(machine.c_str(), stderr);
     const std::vector<ScanPair> pairs = loadPairs(options.pairs);
-    std::vector<Trial> trials = survey(pairs, options.threads, options.rounds, options.oursOnly);
+    std::vector<Trial> trials = survey(pairs, options.threads, options.rounds, options.only);
     registerRounds(trials, options.rounds);
     benchmark::RunSpecifiedBenchmarks();
     const std::string tables = machine + "- " + std::to_string(options.rounds) +

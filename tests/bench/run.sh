@@ -24,15 +24,13 @@ for part in "${parts[@]}"; do
             "$build/bin/$program" | tee /dev/stderr | grep '^|' >"$work/$part.md"
             ;;
         profile)
-            # Where our time goes on one pair, one thread: the functions that take over 2 %.
-            perf record -q -e cpu-clock -F 1999 -o "$work/perf.data" "$build/bin/$program" --pairs=street --threads=1 \
-                --ours --rounds=20 --markdown="$work/unused.md" >&2
-            {
-                echo "| share | function |"
-                echo "|---|---|"
-                perf report -i "$work/perf.data" --stdio --no-children --percent-limit 2 -s symbol -g none 2>/dev/null |
-                    sed -n 's/^ *\([0-9.]*%\) *\[.\] \(.*\)$/| \1 | `\2` |/p'
-            } >"$work/$part.md"
+            # Where the time of improved NDT goes, one thread.
+            : >"$work/$part.md"
+            for pair in street tripod-1M; do
+                perf record -q -e cpu-clock -F 1999 -o "$work/perf.data" "$build/bin/$program" --pairs="$pair" \
+                    --threads=1 --only="improved NDT" --rounds=60 --markdown="$work/unused.md" >&2
+                { echo; echo "\`$pair\`:"; echo; tests/bench/profile.py "$work/perf.data"; } >>"$work/$part.md"
+            done
             ;;
     esac
     tests/bench/insert.py docs/benchmarks.md "$part" "$work/$part.md"

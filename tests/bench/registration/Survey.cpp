@@ -46,14 +46,14 @@ RunTime timedRun(const Trial& trial, Pose& found) {
 }
 
 std::vector<Trial> survey(const std::vector<ScanPair>& pairs, const std::vector<int>& threads, int rounds,
-                          bool oursOnly) {
+                          const std::string& only) {
     std::vector<Trial> trials;
     for (const ScanPair& pair : pairs) {
         std::fprintf(stderr, "%s: every setting once\n", pair.name.c_str());
         PoseError oursError;
         const std::vector<Contender> all = contenders(pair.target.size() > kLarge);
         for (const Contender& contender : all) {
-            if (oursOnly && !contender.ours) continue;
+            if (!only.empty() && contender.name != only) continue;
             std::vector<SettingRun> runs;
             for (const double leaf : contender.leaves_m) runs.push_back(runOnce(pair, contender, leaf));
             if (&contender == &all.front()) oursError = runs.front().error;

@@ -28,9 +28,10 @@ struct RunTime {
     double cpu_seconds = 0;
 };
 
-/// Runs every contender (or only ours) once at each of its settings, and picks those that the rounds measure.
+/// Runs every contender (or the one named `only`) once at each of its settings, and picks those that the
+/// rounds measure.
 std::vector<Trial> survey(const std::vector<ScanPair>& pairs, const std::vector<int>& threads, int rounds,
-                          bool oursOnly);
+                          const std::string& only = {});
 
 /// One run; `found` is what it found.
 RunTime timedRun(const Trial& trial, Pose& found);
