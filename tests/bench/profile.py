@@ -11,9 +11,9 @@ LINE = re.compile(r"^\s*([0-9.]+)%\s+\[(.)\]\s+(.*?)\s*$")
 
 
 def shorten(name):
-    if found := re.search(r"(\w+)(?:<[^()]*>)?\([^()]*\)(?: const)?::\{lambda", name):
-        return found[1] + ", parallel part"
-    name = re.sub(r"\(anonymous namespace\)::|vestige::|std::_Function_handler<.*?, |::_M_invoke", "", name)
+    name = re.sub(r"\(anonymous namespace\)::|vestige::", "", name)
+    if found := re.search(r"(\w+)(?:<[^()]*>)?\([^()]*\)(?: const)?::\{lambda\([^()]*\)#(\d+)\}", name):
+        return f"{found[1]}, parallel part {found[2]}"
     return name if len(name) <= 90 else name[:87] + "..."
 
 
