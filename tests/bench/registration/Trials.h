@@ -36,7 +36,16 @@ std::vector<Trial> survey(const std::vector<ScanPair>& pairs, const std::vector<
 /// One run; `found` is what it found.
 RunTime timedRun(const Trial& trial, Pose& found);
 
-/// The tables: one per pair.
+/// How many times the time of ours a trial takes: the median of the rounds' ratios ("> " where it missed the
+/// pose), and by least processor time. "-" where one was not measured.
+std::string wallRatio(const Trial& trial, const std::vector<Trial>& trials);
+std::string cpuRatio(const Trial& trial, const std::vector<Trial>& trials);
+/// Ours with the same pair and number of threads.
+const Trial* oursFor(const Trial& trial, const std::vector<Trial>& trials);
+
+/// One row per pair with what is to be reached.
+std::string goalsTable(const std::vector<ScanPair>& pairs, const std::vector<Trial>& trials);
+/// The tables: what is to be reached, then one per pair.
 std::string markdown(const std::vector<ScanPair>& pairs, const std::vector<Trial>& trials);
 
 }  // namespace vestige::bench
