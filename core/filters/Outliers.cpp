@@ -1,5 +1,7 @@
 #include "core/filters/Outliers.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,10 +26,15 @@ std::vector<float> neighbourDistances(const PointCloud& cloud, std::size_t count
         index, others + 1,
         [&](const NearestDistances& nearest) {
             // The first is the point itself, or one that coincides with it. Nearest first, lane by lane.
-            std::array<double, 8> sums{};
-            for (const auto& row : nearest.squared.subspan(1))
-                for (std::size_t lane = 0; lane < row.size(); ++lane)
-                    sums[lane] += std::sqrt(static_cast<double>(row[lane]));
+            __m256d low{};
+            __m256d high{};
+            for (const auto& row : nearest.squared.subspan(1)) {
+                low = _mm256_add_pd(low, _mm256_sqrt_pd(_mm256_cvtps_pd(_mm_loadu_ps(row.data()))));
+                high = _mm256_add_pd(high, _mm256_sqrt_pd(_mm256_cvtps_pd(_mm_loadu_ps(row.data() + 4))));
+            }
+            std::array<double, 8> sums;
+            _mm256_storeu_pd(sums.data(), low);
+            _mm256_storeu_pd(sums.data() + 4, high);
             for (std::size_t lane = 0; lane < nearest.points.size(); ++lane)
                 distances[nearest.points[lane]] =
                     static_cast<float>(sums[lane] / static_cast<double>(others));

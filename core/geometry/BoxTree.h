@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,6 +41,11 @@ class BoxTree {
     /// with min = max.
     template <class Farther, class Visit>
     void nearestFirst(const FloatBox& query, const Farther& farther, const Visit& visit) const;
+
+    /// Calls visit(leaf, squared distance of its box) for all leaves whose box is nearer than `limit`, in a
+    /// fixed order.
+    template <class Visit>
+    void nearerThan(const FloatBox& query, float limit, const Visit& visit) const;
 
   private:
     struct alignas(32) Node {
@@ -97,6 +103,33 @@ void BoxTree::nearestFirst(const FloatBox& query, const Farther& farther, const 
             for (; place > before && stack[place - 1].squared < squared[child]; --place)
                 stack[place] = stack[place - 1];
             stack[place] = {squared[child], top.level - 1, top.index * 8 + child};
+        }
+    }
+}
+
+template <class Visit>
+void BoxTree::nearerThan(const FloatBox& query, float limit, const Visit& visit) const {
+    if (levels_.empty()) return;
+    struct Pending {
+        std::uint32_t level;
+        std::uint32_t index;
+    };
+    std::array<Pending, 96> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
+    while (depth > 0) {
+        const Pending top = stack[--depth];
+        const __m256 squared = squaredDistances(levels_[top.level][top.index], query);
+        const __m256 nearer = _mm256_cmp_ps(squared, _mm256_set1_ps(limit), _CMP_LT_OQ);
+        alignas(32) std::array<float, 8> distances;
+        _mm256_store_ps(distances.data(), squared);
+        for (auto bits = static_cast<unsigned>(_mm256_movemask_ps(nearer)); bits != 0; bits &= bits - 1) {
+            const auto child = static_cast<std::uint32_t>(std::countr_zero(bits));
+            if (top.level == 0) {
+                visit(top.index * 8 + child, distances[child]);
+            } else {
+                stack[depth++] = {top.level - 1, top.index * 8 + child};
+            }
         }
     }
 }

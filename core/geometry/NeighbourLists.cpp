@@ -15,6 +15,8 @@ constexpr std::size_t kLeaf = NeighbourIndex::kLeaf;
 constexpr std::size_t kLanes = 8;
 constexpr std::size_t kGroups = kLeaf / kLanes;
 constexpr std::size_t kGrain = 64;
+/// Up to here a list is gone through to its end.
+constexpr std::size_t kFewRows = 32;
 
 using Row = std::array<float, kLanes>;
 struct alignas(32) AlignedRow {
@@ -34,6 +36,7 @@ class LaneGroup {
     void begin(const NeighbourIndex::Leaf& leaf, std::size_t first, std::size_t size,
                std::span<AlignedRow> rows) {
         rows_ = rows;
+        farthest_ = std::numeric_limits<float>::infinity();
         for (AlignedRow& row : rows_) row.values.fill(std::numeric_limits<float>::infinity());
         box_ = {};
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -47,9 +50,7 @@ class LaneGroup {
     const FloatBox& box() const { return box_; }
     std::span<const Row> rows() const { return {&rows_.front().values, rows_.size()}; }
     /// Of all lanes, the largest distance that is still to be beaten.
-    float farthest() const {
-        return *std::max_element(rows_.back().values.begin(), rows_.back().values.end());
-    }
+    float farthest() const { return farthest_; }
 
     void scan(const NeighbourIndex::Leaf& leaf) {
         const __m256 x = _mm256_load_ps(at_[0].values.data());
@@ -68,29 +69,29 @@ class LaneGroup {
             const int lanes = _mm256_movemask_ps(_mm256_cmp_ps(distance, limit, _CMP_LT_OQ));
             near |= static_cast<std::uint32_t>(lanes != 0) << place;
         }
+        if (near == 0) return;
         for (; near != 0; near &= near - 1)
             insert(_mm256_load_ps(squared[static_cast<std::size_t>(std::countr_zero(near))].values.data()));
+        __m256 last = _mm256_load_ps(rows_.back().values.data());
+        last = _mm256_max_ps(last, _mm256_permute2f128_ps(last, last, 1));
+        last = _mm256_max_ps(last, _mm256_permute_ps(last, 0b01001110));
+        farthest_ =
+            _mm_cvtss_f32(_mm256_castps256_ps128(_mm256_max_ps(last, _mm256_permute_ps(last, 0b10110001))));
     }
 
   private:
-    /// Each row becomes the middle one of its own, the one below and the new value: no row waits for another.
+    /// Each row becomes the middle one of its own, the one below and the new value: no row waits for another,
+    /// and stopping early would cost more in branches than the rows do.
     void insert(__m256 value) {
         float* const rows = rows_.front().values.data();
         std::size_t row = rows_.size() - 1;
         __m256 here = _mm256_load_ps(rows + row * kLanes);
-        if (_mm256_movemask_ps(_mm256_cmp_ps(value, here, _CMP_LT_OQ)) == 0) return;
-        for (; row >= 4; row -= 4) {
-            const __m256 a = _mm256_load_ps(rows + (row - 1) * kLanes);
-            const __m256 b = _mm256_load_ps(rows + (row - 2) * kLanes);
-            const __m256 c = _mm256_load_ps(rows + (row - 3) * kLanes);
-            const __m256 d = _mm256_load_ps(rows + (row - 4) * kLanes);
-            _mm256_store_ps(rows + row * kLanes, _mm256_max_ps(a, _mm256_min_ps(here, value)));
-            _mm256_store_ps(rows + (row - 1) * kLanes, _mm256_max_ps(b, _mm256_min_ps(a, value)));
-            _mm256_store_ps(rows + (row - 2) * kLanes, _mm256_max_ps(c, _mm256_min_ps(b, value)));
-            _mm256_store_ps(rows + (row - 3) * kLanes, _mm256_max_ps(d, _mm256_min_ps(c, value)));
-            here = d;
+        for (; row >= kFewRows; row -= 4) {
+            here = raise(rows + row * kLanes, here, value);
+            // Long lists are mostly left alone.
             if (_mm256_movemask_ps(_mm256_cmp_ps(value, here, _CMP_LT_OQ)) == 0) return;
         }
+        for (; row >= 4; row -= 4) here = raise(rows + row * kLanes, here, value);
         for (; row > 0; --row) {
             const __m256 below = _mm256_load_ps(rows + (row - 1) * kLanes);
             _mm256_store_ps(rows + row * kLanes, _mm256_max_ps(below, _mm256_min_ps(here, value)));
@@ -99,14 +100,34 @@ class LaneGroup {
         _mm256_store_ps(rows, _mm256_min_ps(here, value));
     }
 
+    /// Four rows, from `top` (which holds `here`) down; the row below them.
+    static __m256 raise(float* top, __m256 here, __m256 value) {
+        const __m256 a = _mm256_load_ps(top - kLanes);
+        const __m256 b = _mm256_load_ps(top - 2 * kLanes);
+        const __m256 c = _mm256_load_ps(top - 3 * kLanes);
+        const __m256 d = _mm256_load_ps(top - 4 * kLanes);
+        _mm256_store_ps(top, _mm256_max_ps(a, _mm256_min_ps(here, value)));
+        _mm256_store_ps(top - kLanes, _mm256_max_ps(b, _mm256_min_ps(a, value)));
+        _mm256_store_ps(top - 2 * kLanes, _mm256_max_ps(c, _mm256_min_ps(b, value)));
+        _mm256_store_ps(top - 3 * kLanes, _mm256_max_ps(d, _mm256_min_ps(c, value)));
+        return d;
+    }
+
     std::array<AlignedRow, 3> at_;
     FloatBox box_;
     std::span<AlignedRow> rows_;
+    float farthest_ = 0;
 };
 
-float squaredDistance(const FloatBox& a, const FloatBox& b) {
-    const Eigen::Vector3f gap = (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(0.0F);
-    return gap.x() * gap.x() + gap.y() * gap.y() + gap.z() * gap.z();
+/// As BoxTree has it.
+inline float squaredDistance(const FloatBox& a, const FloatBox& b) {
+    float sum = 0;
+#pragma GCC unroll 3
+    for (int axis = 0; axis < 3; ++axis) {
+        const float gap = std::max(std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]), 0.0F);
+        sum += gap * gap;
+    }
+    return sum;
 }
 
 /// Finds the neighbours of one leaf's points after the other.
@@ -135,11 +156,9 @@ class LeafQueries {
         float limit = 0;
         for (std::size_t g = 0; g < groups; ++g) limit = std::max(limit, groups_[g].farthest());
         candidates_.clear();
-        index_.tree().nearestFirst(
-            index_.box(leaf), [&](float squared) { return !(squared < limit); },
-            [&](std::uint32_t other, float squared) {
-                if (other < first || other > last) candidates_.push_back({squared, other});
-            });
+        index_.tree().nearerThan(index_.box(leaf), limit, [&](std::uint32_t other, float squared) {
+            if (other < first || other > last) candidates_.push_back({squared, other});
+        });
         std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
             return a.squared != b.squared ? a.squared < b.squared : a.leaf < b.leaf;
         });
