@@ -1,7 +1,8 @@
 // Registration from points in memory to the pose: ours beside PCL's and Open3D's, round by round.
 //
 //   bench_registration [--pairs=street,room,...] [--rounds=5] [--threads=1,2] [--only=METHOD]
-//                      [--markdown=FILE] [Google Benchmark's own options]
+//                      [--pair=TARGET,SOURCE,REFERENCE[,START]]... [--markdown=FILE]
+//                      [Google Benchmark's own options]
 //
 // First every setting runs once, which fixes the errors (they do not depend on chance) and the setting that
 // each peer counts with. Then the rounds: each contender once per round, so that a change of the machine's
@@ -24,6 +25,7 @@ constexpr double kMostLoad = 1.2;
 
 struct Options {
     std::vector<std::string> pairs = pairNames();
+    std::vector<std::string> files;  ///< pairs of files, for pairOfFiles
     std::vector<int> threads{1, 2};
     int rounds = 5;
     std::string only;
@@ -47,6 +49,8 @@ bool parse(int& argc, char** argv, Options& options) {
         const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
         if (key == "--pairs") {
             options.pairs = split(value);
+        } else if (key == "--pair") {
+            options.files.push_back(value);
         } else if (key == "--threads") {
             options.threads.clear();
             for (const std::string& count : split(value)) options.threads.push_back(std::stoi(count));
@@ -107,7 +111,8 @@ int main(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     const std::string machine = describeMachine();
     std::fputs(machine.c_str(), stderr);
-    const std::vector<ScanPair> pairs = loadPairs(options.pairs);
+    std::vector<ScanPair> pairs = loadPairs(options.pairs);
+    for (const std::string& files : options.files) pairs.push_back(pairOfFiles(files));
     std::vector<Trial> trials = survey(pairs, options.threads, options.rounds, options.only);
     registerRounds(trials, options.rounds);
     benchmark::RunSpecifiedBenchmarks();

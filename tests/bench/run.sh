@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Builds the benchmarks, runs them and puts their tables into docs/benchmarks.md.
-#   tests/bench/run.sh [registration] [basin] [filters] [profile]    all of them without an argument
+#   tests/bench/run.sh [registration] [accuracy] [basin] [profile] [filters]   all of them without an argument
 # ROUNDS (5), PAIRS (all), BUILD (build/release) in the environment. Wants a quiet machine; takes about 20 minutes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${BUILD:-build/release}
 parts=("$@")
-if [ ${#parts[@]} = 0 ]; then parts=(registration basin filters profile); fi
+if [ ${#parts[@]} = 0 ]; then parts=(registration accuracy basin profile filters); fi
 VESTIGE_BENCH_COMMIT=$(git rev-parse --short HEAD 2>/dev/null || echo "(no commit)")
 export VESTIGE_BENCH_COMMIT
 work=$(mktemp -d)
@@ -19,6 +19,9 @@ for part in "${parts[@]}"; do
     case $part in
         registration)
             "$build/bin/$program" --rounds="${ROUNDS:-5}" ${PAIRS:+--pairs="$PAIRS"} --markdown="$work/$part.md" >&2
+            ;;
+        accuracy)
+            { "$build/bin/$program"; echo; "$build/bin/$program" --points=1000000 --seeds=5; } >"$work/$part.md"
             ;;
         basin | filters)
             "$build/bin/$program" | tee /dev/stderr | grep '^|' >"$work/$part.md"

@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
 
 #include "core/base/Units.h"
 #include "core/geometry/PointCloudBuilder.h"
@@ -112,6 +115,23 @@ const std::vector<std::string>& pairNames() {
     static const std::vector<std::string> names{"street", "room",       "apartment",
                                                 "car",    "tripod-60k", "tripod-1M"};
     return names;
+}
+
+ScanPair pairOfFiles(const std::string& files) {
+    std::vector<std::string> parts;
+    std::stringstream stream(files);
+    for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+    if (parts.size() < 3) throw std::runtime_error("--pair=TARGET,SOURCE,REFERENCE[,START] was expected");
+    ScanPair pair;
+    pair.name = std::filesystem::path(parts[0]).stem().string() + " - " +
+                std::filesystem::path(parts[1]).stem().string();
+    pair.truth = parts[2];
+    pair.target = readCloud(parts[0]);
+    pair.source = readCloud(parts[1]);
+    pair.reference = readMatrix(parts[2]);
+    pair.start = parts.size() > 3 ? readMatrix(parts[3])
+                                  : wrongPose(pair.reference, kStartDistance_m, kStartAngle_deg, 1);
+    return pair;
 }
 
 std::vector<ScanPair> loadPairs(const std::vector<std::string>& names) {

@@ -23,6 +23,10 @@ struct ScanPair {
 /// The names known: street, room, apartment, car (real, where shared/data is present), tripod-60k, tripod-1M.
 const std::vector<std::string>& pairNames();
 
+/// A pair of files: "TARGET,SOURCE,REFERENCE[,START]", the poses as 4x4 matrices in text; without START the
+/// first pose is wrong by 0.5 m and 4 degrees. Throws with a sentence.
+ScanPair pairOfFiles(const std::string& files);
+
 /// The pairs asked for; a line to stderr for each that is not on this machine.
 std::vector<ScanPair> loadPairs(const std::vector<std::string>& names);
 
