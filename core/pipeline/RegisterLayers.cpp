@@ -100,16 +100,20 @@ Result<PreparedRegistration> prepareRegistration(const SceneState& scene, const 
     });
 }
 
-Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::string& layer,
-                                            const PreparedRegistration& prepared, const JobControl& control) {
+namespace {
+
+/// With registerGeometry or attemptRegistration.
+Result<RegistrationResult> registerWith(decltype(registerGeometry)& method, const SceneState& scene,
+                                        const std::string& layer, const PreparedRegistration& prepared,
+                                        const JobControl& control, const RegistrationWatch& watch) {
     const auto pair = findPair(scene, layer);
     if (!pair) return fail(pair.error());
     ParameterSet parameters = scene.registration;
     if (prepared.error_m && parameters.isDefault("start_error_m"))
         if (const Status set = parameters.set("start_error_m", *prepared.error_m); !set)
             return fail(set.error());
-    auto result = registerGeometry(prepared.target, *pair->source->data->geometry, prepared.initial,
-                                   parameters, control);
+    auto result =
+        method(prepared.target, *pair->source->data->geometry, prepared.initial, parameters, control, watch);
     if (!result) {
         Error error = result.error();
         error.place = "layer " + layer + (error.place.empty() ? "" : ", " + error.place);
@@ -117,17 +121,33 @@ Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::
     }
     result->notes.insert(result->notes.begin(), prepared.notes.begin(), prepared.notes.end());
     if (prepared.found) addFirstPose(*result, *prepared.found);
-    if (!result->trustworthy())
+    return result;
+}
+
+}  // namespace
+
+Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::string& layer,
+                                            const PreparedRegistration& prepared, const JobControl& control,
+                                            const RegistrationWatch& watch) {
+    auto result = registerWith(registerGeometry, scene, layer, prepared, control, watch);
+    if (result && !result->trustworthy())
         return fail(ErrorCode::untrustworthy, result->reasons.front(), "layer " + layer,
                     "give picked pairs as the first pose");
     return result;
 }
 
 Result<RegistrationResult> registerLayer(const SceneState& scene, const std::string& layer,
-                                         const JobControl& control) {
+                                         const JobControl& control, const RegistrationWatch& watch) {
     const auto prepared = prepareRegistration(scene, layer, control.sub(0, 0.3));
     if (!prepared) return fail(prepared.error());
-    return registerPrepared(scene, layer, *prepared, control.sub(0.3, 1));
+    return registerPrepared(scene, layer, *prepared, control.sub(0.3, 1), watch);
+}
+
+Result<RegistrationResult> attemptLayer(const SceneState& scene, const std::string& layer,
+                                        const JobControl& control, const RegistrationWatch& watch) {
+    const auto prepared = prepareRegistration(scene, layer, control.sub(0, 0.3));
+    if (!prepared) return fail(prepared.error());
+    return registerWith(attemptRegistration, scene, layer, *prepared, control.sub(0.3, 1), watch);
 }
 
 }  // namespace vestige

@@ -6,6 +6,7 @@
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
+#include "core/registration/RegistrationWatch.h"
 #include "core/registration/global/FirstPose.h"
 #include "core/scene/Scene.h"
 
@@ -31,12 +32,18 @@ struct PreparedRegistration {
 Result<PreparedRegistration> prepareRegistration(const SceneState& scene, const std::string& layer,
                                                  const JobControl& control);
 Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::string& layer,
-                                            const PreparedRegistration& prepared, const JobControl& control);
+                                            const PreparedRegistration& prepared, const JobControl& control,
+                                            const RegistrationWatch& watch = {});
 
 /// Registers one loaded layer of the scene to its target: unit, first pose, preprocessing of the target, NDT.
 /// Reads the state only; any thread. The window and `reconstruct` call this one function (the latter in its
 /// two steps).
 Result<RegistrationResult> registerLayer(const SceneState& scene, const std::string& layer,
-                                         const JobControl& control);
+                                         const JobControl& control, const RegistrationWatch& watch = {});
+
+/// registerLayer, but a pose that cannot be relied on is returned too, with the reasons why: for those who
+/// show what was found. Whoever enters it into the scene asks RegistrationResult::trustworthy() first.
+Result<RegistrationResult> attemptLayer(const SceneState& scene, const std::string& layer,
+                                        const JobControl& control, const RegistrationWatch& watch = {});
 
 }  // namespace vestige
