@@ -15,7 +15,7 @@ constexpr int kSteps = 20;
 constexpr double kNear = 20;  // times the sizes of both
 
 bool isShown(const ViewLayer& layer) {
-    return layer.visible && layer.geometry && !layer.geometry->vertices.empty();
+    return isDrawn(layer) && layer.geometry && !layer.geometry->vertices.empty();
 }
 
 BoundingBox boxOf(const ViewLayer& layer) {

@@ -45,7 +45,7 @@ std::optional<Overlay> overlayFromName(std::string_view text) {
 BoundingBox bounds(const ViewDescription& view) {
     BoundingBox box;
     for (const ViewLayer& layer : view.layers)
-        if (layer.visible && layer.geometry)
+        if (isDrawn(layer) && layer.geometry)
             box.add(layer.geometry->vertices.bounds().transformed(layer.worldFromLayer));
     return box;
 }

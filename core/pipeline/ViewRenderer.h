@@ -26,6 +26,26 @@ enum class Overlay { none, registration, residual, source };
 std::string_view name(Overlay overlay);
 std::optional<Overlay> overlayFromName(std::string_view name);
 
+/// How two pictures of one scene are laid into each other.
+enum class CompareMode { swipe, blink, checkerboard };
+
+/// A second picture in the same frame, to judge how well clouds fit: each layer says in ViewLayer::other how
+/// it differs there.
+struct ViewComparison {
+    CompareMode mode = CompareMode::swipe;
+    double divider = 0.5;     ///< swipe: the other picture stands left of this share of the width
+    int tile_px = 96;         ///< checkerboard
+    bool otherShown = false;  ///< blink: which of the two is shown now
+    std::string name;         ///< of the scene as it is: "After"
+    std::string otherName;    ///< "Before"
+};
+
+/// A layer in the other picture of a comparison.
+struct ViewSide {
+    Similarity worldFromLayer;
+    bool visible = true;
+};
+
 struct ViewLayer {
     std::string id;
     std::string name;
@@ -34,7 +54,8 @@ struct ViewLayer {
     std::array<std::uint8_t, 3> tint{160, 180, 200};
     std::shared_ptr<const std::vector<float>> residual_m;  ///< per point, for Overlay::residual; may be null
     bool visible = true;
-    bool isTarget = false;  ///< what the others are registered to; for Overlay::registration
+    bool isTarget = false;          ///< what the others are registered to; for Overlay::registration
+    std::optional<ViewSide> other;  ///< in the other picture; nothing: the same
 };
 
 /// A measured pair drawn into the view with its length.
@@ -45,10 +66,19 @@ struct ViewMark {
     bool highlighted = false;
 };
 
+/// A way that a layer can move, drawn as a line with a head at each end: straight for a slide, an arc for a
+/// turn.
+struct ViewArrow {
+    std::vector<Eigen::Vector3d> path;  ///< world
+    std::string label;
+};
+
 /// Everything a picture depends on: what is drawn is a function of this, in the window and without a display.
 struct ViewDescription {
     std::vector<ViewLayer> layers;
     std::vector<ViewMark> marks;
+    std::vector<ViewArrow> arrows;
+    std::optional<ViewComparison> comparison;
     ColorMode colorMode = ColorMode::height;
     Overlay overlay = Overlay::none;
     double pointSize_px = 2;
@@ -58,6 +88,11 @@ struct ViewDescription {
     std::string title;
     ViewCamera camera;
 };
+
+/// Visible in either picture of a comparison.
+inline bool isDrawn(const ViewLayer& layer) {
+    return layer.visible || (layer.other && layer.other->visible);
+}
 
 /// World bounds of the visible layers.
 BoundingBox bounds(const ViewDescription& view);

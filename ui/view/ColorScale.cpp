@@ -52,7 +52,7 @@ double roundedUp(double value) {
 std::optional<ColorScale> heightScale(const ViewDescription& view) {
     SampledRange heights;
     for (const ViewLayer& layer : view.layers) {
-        if (!layer.visible || !layer.geometry) continue;
+        if (!isDrawn(layer) || !layer.geometry) continue;
         const PointCloud& cloud = layer.geometry->vertices;
         heights.sample(cloud.size(),
                        [&](std::size_t i) { return (layer.worldFromLayer * cloud.point(i)).z(); });

@@ -42,7 +42,7 @@ std::vector<Row> rows(const ViewDescription& view) {
     std::vector<Row> all;
     for (std::size_t i = 0; i < view.layers.size(); ++i) {
         const ViewLayer& layer = view.layers[i];
-        if (!layer.visible) continue;
+        if (!isDrawn(layer)) continue;
         const QString note = attributeNote(view, i);
         const bool tinted = view.overlay == Overlay::none
                                 ? !note.isEmpty() || view.colorMode == ColorMode::source

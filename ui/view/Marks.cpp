@@ -82,20 +82,27 @@ void paintEnd(QPainter& painter, const ViewTheme& theme, const QPointF& end, con
     painter.setBrush(Qt::NoBrush);
 }
 
-/// Where a label of that size can stand beside the line: at the middle first, then along it, further off.
-std::vector<QRectF> labelPlaces(const Segment& line, const QSizeF& size) {
+/// A label stands no further off than this, or than its line is long: of many short lines far away few can be
+/// told apart, and their labels would only hide the scene.
+constexpr double kNearLabel_px = 34;
+
+/// Where a label of that size can stand beside the line: at the middle first, then along it, further off;
+/// `anywhere` also far from a short line.
+std::vector<QRectF> labelPlaces(const Segment& line, const QSizeF& size, bool anywhere) {
     const QPointF along = line.b - line.a;
     const double length = std::hypot(along.x(), along.y());
     QPointF aside = length > 1 ? QPointF(-along.y(), along.x()) / length : QPointF(0, -1);
     if (aside.y() > 0 || (aside.y() == 0 && aside.x() < 0)) aside = -aside;
     const double reach = 0.5 * (std::abs(aside.x()) * size.width() + std::abs(aside.y()) * size.height()) + 9;
     std::vector<QRectF> places;
-    for (const double distance : {0.0, 16.0, 34.0, 60.0, 95.0, 140.0})
+    for (const double distance : {0.0, 16.0, 34.0, 60.0, 95.0, 140.0}) {
+        if (!anywhere && distance > std::max(kNearLabel_px, length)) break;
         for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0})
             for (const double side : {1.0, -1.0}) {
                 const QPointF centre = line.a + share * along + side * (reach + distance) * aside;
                 places.emplace_back(centre - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
             }
+    }
     return places;
 }
 
@@ -178,8 +185,8 @@ std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const 
         if (!mark->mark.label.empty()) {
             const QString text = QString::fromStdString(mark->mark.label);
             const QSizeF size(std::ceil(metrics.horizontalAdvance(text)) + 18, 25);
-            place = choosePlace(labelPlaces(line, size), picture.adjusted(4, 4, -4, -4), taken,
-                                mark->pending || mark->mark.highlighted);
+            const bool must = mark->pending || mark->mark.highlighted;
+            place = choosePlace(labelPlaces(line, size, must), picture.adjusted(4, 4, -4, -4), taken, must);
             if (place) taken.push_back(*place);
         }
         places.push_back(place);

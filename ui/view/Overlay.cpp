@@ -2,9 +2,11 @@
 
 #include <QPainter>
 
+#include "ui/view/Arrows.h"
 #include "ui/view/Legend.h"
 #include "ui/view/Marks.h"
 #include "ui/view/ScaleBar.h"
+#include "ui/view/Split.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -38,6 +40,9 @@ void paintOverlay(QPainter& painter, const OverlayContent& content) {
     if (!view.title.empty()) taken.push_back(paintTitle(painter, theme, QString::fromStdString(view.title)));
     if (view.showLegend) taken.push_back(paintLegend(painter, theme, inside, view, content.scale));
     if (view.showScaleBar) taken.push_back(paintScaleBar(painter, theme, inside, content.camera));
+    if (view.comparison) taken.push_back(paintSplit(painter, theme, picture, *view.comparison));
+    for (const ViewArrow& arrow : view.arrows)
+        paintArrow(painter, theme, picture, content.camera, arrow, taken);
     std::vector<PaintedMark> marks;
     for (const ViewMark& mark : view.marks) marks.push_back({mark, false});
     if (content.pending) marks.push_back({*content.pending, true});

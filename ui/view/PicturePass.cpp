@@ -22,6 +22,11 @@ constexpr const char* kShowShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D picture;
 uniform sampler2D depths;
+uniform sampler2D otherPicture;
+uniform sampler2D otherDepths;
+uniform int mixing;          // 0, 1 the picture; 2 the other one left of the divider, 3 in tiles, 4 everywhere
+uniform float divider;     // in texture coordinates
+uniform float tile;        // pixels
 uniform vec2 pixel;        // size of one in texture coordinates
 uniform vec2 range;        // near and far plane, m
 uniform int parallel;
@@ -30,26 +35,38 @@ uniform int eyeDome;
 uniform vec3 top;
 uniform vec3 bottom;
 
+bool fromOther() {
+    vec2 tiles = floor(vec2(texCoord.x, 1.0 - texCoord.y) / (tile * pixel));
+    return mixing == 4 || (mixing == 2 && texCoord.x < divider) || (mixing == 3 && mod(tiles.x + tiles.y, 2.0) > 0.5);
+}
+
+float depthAt(bool other, vec2 place) {
+    return other ? texture(otherDepths, place).r : texture(depths, place).r;
+}
+
 float metres(float d) {
     return parallel == 1 ? mix(range.x, range.y, d)
                          : range.x * range.y / (range.y - d * (range.y - range.x));
 }
 
-float nearer(vec2 aside, float here, float unit) {
-    float d = texture(depths, texCoord + aside * pixel).r;
+float nearer(bool other, vec2 aside, float here, float unit) {
+    float d = depthAt(other, texCoord + aside * pixel);
     return d < 1.0 ? log2(1.0 + max(0.0, here - metres(d)) / unit) : 0.0;
 }
 
 void main() {
-    float d = texture(depths, texCoord).r;
-    vec3 shown = d < 1.0 ? texture(picture, texCoord).rgb : mix(bottom, top, texCoord.y);
+    bool other = fromOther();
+    float d = depthAt(other, texCoord);
+    vec3 shown = mix(bottom, top, texCoord.y);
+    if (d < 1.0) shown = other ? texture(otherPicture, texCoord).rgb : texture(picture, texCoord).rgb;
     if (eyeDome == 1 && d < 1.0) {
         float here = metres(d);
         float unit = 3.0 * (parallel == 1 ? footprint : footprint * here);
-        float behind = nearer(vec2(1.0, 0.0), here, unit) + nearer(vec2(-1.0, 0.0), here, unit)
-                     + nearer(vec2(0.0, 1.0), here, unit) + nearer(vec2(0.0, -1.0), here, unit)
-                     + nearer(vec2(2.0, 2.0), here, unit) + nearer(vec2(-2.0, 2.0), here, unit)
-                     + nearer(vec2(2.0, -2.0), here, unit) + nearer(vec2(-2.0, -2.0), here, unit);
+        float behind = nearer(other, vec2(1.0, 0.0), here, unit) + nearer(other, vec2(-1.0, 0.0), here, unit)
+                     + nearer(other, vec2(0.0, 1.0), here, unit) + nearer(other, vec2(0.0, -1.0), here, unit)
+                     + nearer(other, vec2(2.0, 2.0), here, unit) + nearer(other, vec2(-2.0, 2.0), here, unit)
+                     + nearer(other, vec2(2.0, -2.0), here, unit)
+                     + nearer(other, vec2(-2.0, -2.0), here, unit);
         shown *= max(0.18, exp(-0.09 * behind));
     }
     gl_FragData[0] = vec4(shown, 1.0);
@@ -70,35 +87,58 @@ void PicturePass::setBackground(const Eigen::Vector3f& top, const Eigen::Vector3
     bottom_ = bottom;
 }
 
-void PicturePass::fit(vtkOpenGLRenderWindow& window, int width, int height) {
-    if (width == width_ && height == height_ && color_->GetHandle()) return;
-    if (!color_->GetHandle()) {
-        color_->SetContext(&window);
-        color_->Create2D(width, height, 4, VTK_UNSIGNED_CHAR, false);
-        color_->SetMinificationFilter(vtkTextureObject::Nearest);
-        color_->SetMagnificationFilter(vtkTextureObject::Nearest);
-        depth_->SetContext(&window);
-        depth_->AllocateDepth(width, height, vtkTextureObject::Float32);
-        depth_->SetWrapS(vtkTextureObject::ClampToEdge);
-        depth_->SetWrapT(vtkTextureObject::ClampToEdge);
-        framebuffer_->SetContext(&window);
-    } else {
-        color_->Resize(width, height);
-        depth_->Resize(width, height);
-    }
-    width_ = width;
-    height_ = height;
-    empty_ = true;
+void PicturePass::setMix(Mix mix, float divider, int tile_px) {
+    mix_ = mix;
+    divider_ = divider;
+    tile_px_ = tile_px;
 }
 
-void PicturePass::addProps(const vtkRenderState& state) {
+void PicturePass::Picture::fit(vtkOpenGLRenderWindow& window, int width, int height) {
+    if (color->GetHandle()) {
+        color->Resize(width, height);
+        depth->Resize(width, height);
+        return;
+    }
+    color->SetContext(&window);
+    color->Create2D(width, height, 4, VTK_UNSIGNED_CHAR, false);
+    color->SetMinificationFilter(vtkTextureObject::Nearest);
+    color->SetMagnificationFilter(vtkTextureObject::Nearest);
+    depth->SetContext(&window);
+    depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+    depth->SetWrapS(vtkTextureObject::ClampToEdge);
+    depth->SetWrapT(vtkTextureObject::ClampToEdge);
+}
+
+void PicturePass::fit(vtkOpenGLRenderWindow& window, int width, int height) {
+    const bool sameSize = width == width_ && height == height_;
+    framebuffer_->SetContext(&window);
+    for (int i = 0; i < (compares() ? 2 : 1); ++i) {
+        if (sameSize && pictures_[i].color->GetHandle()) continue;
+        pictures_[i].fit(window, width, height);
+        empty_ = true;
+    }
+    // A picture that was left out while the size changed is made anew.
+    if (!sameSize && !compares() && pictures_[1].color->GetHandle()) {
+        pictures_[1].color->ReleaseGraphicsResources(&window);
+        pictures_[1].depth->ReleaseGraphicsResources(&window);
+    }
+    if (compares() && !bothDrawn_) empty_ = true;
+    bothDrawn_ = compares();
+    width_ = width;
+    height_ = height;
+}
+
+void PicturePass::addProps(const vtkRenderState& state, int index) {
     vtkRenderer* renderer = state.GetRenderer();
+    std::vector<vtkProp*> props;
+    for (int i = 0; i < state.GetPropArrayCount(); ++i)
+        if (!prepare_ || prepare_(*state.GetPropArray()[i], index)) props.push_back(state.GetPropArray()[i]);
     auto* gl = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
     gl->PushFramebufferBindings();
     framebuffer_->Bind();
-    framebuffer_->AddColorAttachment(0, color_);
+    framebuffer_->AddColorAttachment(0, pictures_[index].color);
     framebuffer_->ActivateDrawBuffer(0);
-    framebuffer_->AddDepthAttachment(depth_);
+    framebuffer_->AddDepthAttachment(pictures_[index].depth);
     framebuffer_->StartNonOrtho(width_, height_);
     gl->vtkglViewport(0, 0, width_, height_);
     gl->vtkglScissor(0, 0, width_, height_);
@@ -107,12 +147,11 @@ void PicturePass::addProps(const vtkRenderState& state) {
     renderer->SetPreserveColorBuffer(!empty_);
     renderer->SetPreserveDepthBuffer(!empty_);
     vtkRenderState inner(renderer);
-    inner.SetPropArrayAndCount(state.GetPropArray(), state.GetPropArrayCount());
+    inner.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
     inner.SetFrameBuffer(framebuffer_);
     steps_->Render(&inner);
-    NumberOfRenderedProps = steps_->GetNumberOfRenderedProps();
+    NumberOfRenderedProps += steps_->GetNumberOfRenderedProps();
     gl->PopFramebufferBindings();
-    empty_ = false;
 }
 
 void PicturePass::show(const vtkRenderState& state) {
@@ -132,10 +171,22 @@ void PicturePass::show(const vtkRenderState& state) {
     const float pixel[2] = {1.0F / static_cast<float>(width_), 1.0F / static_cast<float>(height_)};
     const float range[2] = {static_cast<float>(camera->GetClippingRange()[0]),
                             static_cast<float>(camera->GetClippingRange()[1])};
-    color_->Activate();
-    depth_->Activate();
-    program->SetUniformi("picture", color_->GetTextureUnit());
-    program->SetUniformi("depths", depth_->GetTextureUnit());
+    // Samplers need a texture even where they are not read.
+    Picture& own = pictures_[0];
+    Picture& other = pictures_[compares() ? 1 : 0];
+    own.color->Activate();
+    own.depth->Activate();
+    if (compares()) {
+        other.color->Activate();
+        other.depth->Activate();
+    }
+    program->SetUniformi("picture", own.color->GetTextureUnit());
+    program->SetUniformi("depths", own.depth->GetTextureUnit());
+    program->SetUniformi("otherPicture", other.color->GetTextureUnit());
+    program->SetUniformi("otherDepths", other.depth->GetTextureUnit());
+    program->SetUniformi("mixing", static_cast<int>(mix_));
+    program->SetUniformf("divider", divider_);
+    program->SetUniformf("tile", static_cast<float>(tile_px_));
     program->SetUniform2f("pixel", pixel);
     program->SetUniform2f("range", range);
     program->SetUniformi("parallel", parallel);
@@ -150,8 +201,10 @@ void PicturePass::show(const vtkRenderState& state) {
     quad_->Render();
     gl->vtkglEnable(GL_BLEND);
     gl->vtkglEnable(GL_DEPTH_TEST);
-    depth_->Deactivate();
-    color_->Deactivate();
+    for (int i = compares() ? 1 : 0; i >= 0; --i) {
+        pictures_[i].depth->Deactivate();
+        pictures_[i].color->Deactivate();
+    }
 }
 
 void PicturePass::Render(const vtkRenderState* state) {
@@ -163,15 +216,19 @@ void PicturePass::Render(const vtkRenderState* state) {
     renderer->GetTiledSizeAndOrigin(&width, &height, &left, &low);
     if (width < 1 || height < 1) return;
     fit(*vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), width, height);
-    addProps(*state);
+    NumberOfRenderedProps = 0;
+    for (int i = 0; i < (compares() ? 2 : 1); ++i) addProps(*state, i);
+    empty_ = false;
     show(*state);
 }
 
 void PicturePass::ReleaseGraphicsResources(vtkWindow* window) {
     steps_->ReleaseGraphicsResources(window);
     framebuffer_->ReleaseGraphicsResources(window);
-    color_->ReleaseGraphicsResources(window);
-    depth_->ReleaseGraphicsResources(window);
+    for (Picture& picture : pictures_) {
+        picture.color->ReleaseGraphicsResources(window);
+        picture.depth->ReleaseGraphicsResources(window);
+    }
     quad_.reset();
     width_ = height_ = 0;
     empty_ = true;

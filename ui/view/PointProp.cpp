@@ -23,11 +23,12 @@ in vec4 paint;
 out vec4 color;
 flat out float size;
 uniform mat4 clipFromDisplay;
+uniform mat4 motion;
 uniform float pointSize;
 uniform float spacing;    // pixels between neighbours, times depth in perspective
 void main() {
     color = paint;
-    gl_Position = clipFromDisplay * vec4(place, 1.0);
+    gl_Position = clipFromDisplay * (motion * vec4(place, 1.0));
     size = clamp(spacing / gl_Position.w, pointSize, 2.5 * pointSize);
     gl_PointSize = size;
 }
@@ -117,6 +118,7 @@ int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
         ->GetKeyMatrices(renderer, viewFromDisplay, normals, clipFromView, clipFromDisplay);
     program->SetUniformMatrix("clipFromDisplay", clipFromDisplay);
+    program->SetUniformMatrix4x4("motion", motion_.data());
     vtkCamera* camera = renderer->GetActiveCamera();
     const double halfHeight = camera->GetParallelProjection()
                                   ? camera->GetParallelScale()

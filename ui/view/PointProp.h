@@ -33,6 +33,9 @@ class PointProp : public vtkProp {
     /// would be full of holes.
     void setPointSize(double pixels) { pointSize_ = pixels; }
 
+    /// Moves the points from where setPositions() has them, in the display frame.
+    void setMotion(const Eigen::Matrix4f& motion) { motion_ = motion; }
+
     const std::vector<PointBlock>& blocks() const { return blocks_; }
     /// Which blocks the camera may see; as many as blocks().
     void setSeen(std::vector<bool> seen) { seen_ = std::move(seen); }
@@ -58,6 +61,7 @@ class PointProp : public vtkProp {
     double to_ = 1;
     double pointSize_ = 2;
     double spacing_m_ = 0;
+    Eigen::Matrix4f motion_ = Eigen::Matrix4f::Identity();
     double bounds_[6] = {-1, 1, -1, 1, -1, 1};
     vtkNew<vtkOpenGLBufferObject> positionBuffer_;
     vtkNew<vtkOpenGLBufferObject> colorBuffer_;

@@ -17,10 +17,14 @@ class SceneDrawing {
     explicit SceneDrawing(vtkRenderWindow& window);
     ~SceneDrawing();
 
-    /// Rebuilds what differs from what is there. `octrees` (by the layers' index, may be empty) save sorting
-    /// the points. The description's camera is not taken.
+    /// Rebuilds what differs from what is there; a layer that was moved is moved, not built again. `octrees`
+    /// (by the layers' index, may be empty) save sorting the points. The description's camera is not taken.
     void show(const ViewDescription& view, const std::vector<std::shared_ptr<const Octree>>& octrees = {});
     void setCamera(const ViewCamera& camera);
+
+    /// How the two pictures of a comparison are laid into each other; costs no drawing of points. The
+    /// description shown says whether there are two.
+    void setComparison(const ViewComparison& comparison);
 
     /// Points of the blocks that the camera may see.
     std::size_t pointsSeen() const;

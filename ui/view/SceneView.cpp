@@ -53,6 +53,7 @@ struct SceneView::Private {
     bool hasCamera = false;
     std::vector<std::shared_ptr<const Octree>> octrees;
     ViewTool* tool = nullptr;
+    ViewTool* guard = nullptr;
     std::optional<ViewMark> pending;
     std::unique_ptr<ViewMouse> mouse;
 
@@ -210,6 +211,20 @@ ViewTool* SceneView::tool() const {
     return d_->tool;
 }
 
+void SceneView::setGuard(ViewTool* guard) {
+    d_->guard = guard;
+}
+
+void SceneView::setComparison(const ViewComparison& comparison) {
+    if (!d_->description.comparison) return;
+    d_->description.comparison = comparison;
+    d_->drawing->setComparison(comparison);
+    d_->overlay->update();
+    if (d_->sceneChanged || d_->pictureChanged) return;
+    d_->drawing->addToPicture(d_->share);
+    d_->surface->drawFrame();
+}
+
 void SceneView::setPendingMark(std::optional<ViewMark> mark) {
     d_->pending = std::move(mark);
     d_->overlay->update();
@@ -225,9 +240,24 @@ QImage SceneView::grab() {
     return widget()->grab().toImage();
 }
 
+bool SceneView::offerTo(ViewTool& tool, QEvent& event) {
+    switch (event.type()) {
+        case QEvent::KeyPress:
+            return tool.keyPress(*this, static_cast<QKeyEvent&>(event));
+        case QEvent::MouseButtonPress:
+            return tool.mousePress(*this, static_cast<QMouseEvent&>(event));
+        case QEvent::MouseMove:
+            return tool.mouseMove(*this, static_cast<QMouseEvent&>(event));
+        case QEvent::MouseButtonRelease:
+            return tool.mouseRelease(*this, static_cast<QMouseEvent&>(event));
+        default:
+            return false;
+    }
+}
+
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
     if (watched != d_->surface->widget()) return QObject::eventFilter(watched, event);
-    ViewTool* tool = d_->tool;
+    const auto offer = [&](ViewTool* tool) { return tool && offerTo(*tool, *event); };
     switch (event->type()) {
         case QEvent::Resize:
             d_->overlay->resize(d_->size());
@@ -237,15 +267,11 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
             d_->redraw();
             return false;
         case QEvent::KeyPress:
-            return tool && tool->keyPress(*this, *static_cast<QKeyEvent*>(event));
+            return offer(d_->tool) || offer(d_->guard);
         case QEvent::MouseButtonPress:
-            if (tool && tool->mousePress(*this, *static_cast<QMouseEvent*>(event))) return true;
-            break;
         case QEvent::MouseMove:
-            if (tool && tool->mouseMove(*this, *static_cast<QMouseEvent*>(event))) return true;
-            break;
         case QEvent::MouseButtonRelease:
-            if (tool && tool->mouseRelease(*this, *static_cast<QMouseEvent*>(event))) return true;
+            if (offer(d_->guard) || offer(d_->tool)) return true;
             break;
         case QEvent::Wheel:
             break;

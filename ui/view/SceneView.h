@@ -44,6 +44,13 @@ class SceneView : public QObject {
     void setTool(ViewTool* tool);
     ViewTool* tool() const;
 
+    /// Sees mouse events before the active tool, and keys that this leaves; null for none. Not owned.
+    void setGuard(ViewTool* guard);
+
+    /// Changes how the two pictures of the description's comparison are laid into each other; draws no point
+    /// again. Nothing happens where the description has none.
+    void setComparison(const ViewComparison& comparison);
+
     /// A pair in the making: the first end and the point under the cursor; nothing hides it.
     void setPendingMark(std::optional<ViewMark> mark);
 
@@ -59,6 +66,8 @@ class SceneView : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    bool offerTo(ViewTool& tool, QEvent& event);
+
     struct Private;
     std::unique_ptr<Private> d_;
 };

@@ -55,6 +55,19 @@ TEST(Marks, LabelsKeepClearOfEachOtherAndOfTheLegend) {
     }
 }
 
+TEST(Marks, LabelsOfShortLinesStayNearThem) {
+    Canvas canvas;
+    std::vector<PaintedMark> marks;
+    for (int i = 0; i < 12; ++i)
+        marks.push_back(mark({0.05 * i, 0.03 * (i % 4), 0}, {0.05 * i + 0.1, 0.03 * (i % 4), 0}));
+    const auto centre = canvas.camera.project(Eigen::Vector3d(0.3, 0.05, 0))->pixel;
+    const std::vector<QRectF> labels = canvas.paint(marks);
+    EXPECT_GE(labels.size(), 1U);
+    EXPECT_LT(labels.size(), 12U) << "all of them would pile up round a few pixels";
+    for (const QRectF& label : labels)
+        EXPECT_LT(std::abs(label.center().y() - centre.y()), 90) << "it points at nothing that can be seen";
+}
+
 TEST(Marks, HighlightedIsToldHoweverFullThePictureIs) {
     Canvas canvas;
     const std::vector<QRectF> full{QRectF(0, 0, 800, 600)};
