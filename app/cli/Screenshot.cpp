@@ -21,6 +21,7 @@ struct Options {
     std::string color = "auto";
     double pointSize_px = 2;
     bool window = false;
+    std::vector<std::string> actions;
 };
 
 /// "1400x900"; nothing when the text is something else.
@@ -42,7 +43,7 @@ int runWindow(Session& session, const Options& options) {
     const auto [width, height] = *sizeFromText(options.size);
     const OffscreenApplication application;
     const Status drawn = drawWindow({options.inputs, options.out, *namedViewFromName(options.view),
-                                     *overlayFromName(options.overlay), width, height});
+                                     *overlayFromName(options.overlay), options.actions, width, height});
     if (!drawn) return session.failed(drawn.error());
     session.print(options.out + ": the window, " + options.size + " pixels");
     session.printJson({{"path", options.out},
@@ -112,8 +113,17 @@ Run declareScreenshot(CLI::App& command) {
         ->check(CLI::IsMember({"auto", "height", "intensity", "rgb", "source"}));
     command.add_option("--point-size", options->pointSize_px, "Pixels. Default: 2.")
         ->check(CLI::Range(1.0, 16.0));
-    command.add_flag("--window", options->window,
-                     "The whole desktop window with the inputs opened, not the 3D view alone.");
+    CLI::Option* window =
+        command.add_flag("--window", options->window,
+                         "The whole desktop window with the inputs opened, not the 3D view alone.");
+    command
+        .add_option("--action", options->actions,
+                    "With --window: an action to trigger before the picture is made (register.watch, "
+                    "register.run, compare.swipe, view.panel-fit, ...); may be repeated.")
+        ->needs(window)
+        ->type_name("ID")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     return [options](Session& session) { return runScreenshot(session, *options); };
 }
 

@@ -30,6 +30,20 @@ Status registerLayers(MainWindow& window) {
     return {};
 }
 
+/// As their menus would.
+Status trigger(MainWindow& window, const std::vector<std::string>& ids) {
+    for (const std::string& id : ids) {
+        auto* action = window.findChild<QAction*>(QString::fromStdString(id));
+        if (!action) return fail(ErrorCode::usage, "the window has no action of this name", "--action " + id);
+        if (!action->isEnabled())
+            return fail(ErrorCode::usage, "the action is not possible now", "--action " + id,
+                        "other actions before it");
+        action->trigger();
+        QApplication::processEvents();
+    }
+    return {};
+}
+
 }  // namespace
 
 Status drawWindow(const WindowPicture& wanted) {
@@ -48,6 +62,7 @@ Status drawWindow(const WindowPicture& wanted) {
         if (const Status registered = registerLayers(window); !registered) return registered;
     window.setOverlay(wanted.overlay);
     QApplication::processEvents();
+    if (const Status triggered = trigger(window, wanted.actions); !triggered) return triggered;
     window.showNamedView(wanted.view);
     // Layouts and palettes settle with the events; then the points that are still to come are drawn at once.
     for (int round = 0; round < 5; ++round) QApplication::processEvents();

@@ -13,6 +13,10 @@ struct Situation {
     int loadedLayers = 0;
     int registrable = 0;  ///< loaded layers besides the loaded target
     int registered = 0;
+    bool refused = false;     ///< the registration described found no pose to rely on
+    bool candidates = false;  ///< of it, to choose from
+    bool comparing = false;
+    bool previewing = false;
     bool canUndo = false;
     bool canRedo = false;
     bool modified = false;

@@ -15,6 +15,9 @@ bool withLayers(const Situation& s) {
 bool idleWithLayers(const Situation& s) {
     return !s.busy && s.loadedLayers > 0;
 }
+bool whenComparable(const Situation& s) {
+    return s.registrable > 0;
+}
 bool withObject(const Situation& s) {
     return s.objectSelected;
 }
@@ -62,6 +65,12 @@ const std::vector<ActionSpec>& actionTable() {
         {"register.run", "&Align", "&Register",
          "Register the selected layer, or all that are not yet, to the target.", "register", "Ctrl+G",
          [](const Situation& s) { return !s.busy && s.registrable > 0; }},
+        {"register.auto", "&Align", "Register from &any pose",
+         "Find where the selected layer belongs, whatever its first pose and unit, and register it there.",
+         "", "Ctrl+Shift+G", [](const Situation& s) { return !s.busy && s.registrable > 0; }},
+        {"register.watch", "&Align", "&Watch the fit",
+         "Show each iteration of a registration in the view and as curves, and keep them to be replayed.",
+         "watch", "W", always, true},
         {"register.clear", "&Align", "&Forget registration",
          "Put the selected layer back to where its file has it.", "", "",
          [](const Situation& s) { return !s.busy && s.layerSelected && s.registered > 0; }},
@@ -73,6 +82,34 @@ const std::vector<ActionSpec>& actionTable() {
         {"register.residual", "&Align", "Colour by &distance to target",
          "Colour registered layers by their distance to the target.", "", "",
          [](const Situation& s) { return s.registered > 0; }, true},
+
+        {"register.freedom", "&Align", "Show fr&ee directions",
+         "Arrows along the ways to move that the data do not hold.", "free", "F",
+         [](const Situation& s) { return s.registered > 0; }, true},
+        {"register.preview", "&Align", "&Preview refused pose",
+         "Show the layer where a registration put it that cannot be relied on, without moving it.", "", "",
+         [](const Situation& s) { return s.refused; }, true, "", true},
+        {"register.use-candidate", "&Align", "&Use this candidate",
+         "Register the layer from the candidate that is chosen.", "", "",
+         [](const Situation& s) { return s.candidates && !s.busy; }},
+
+        {"compare.swipe", "&Compare", "&Swipe",
+         "Two pictures beside a divider that the mouse drags; Left and Right move it, too.", "swipe", "S",
+         whenComparable, true},
+        {"compare.blink", "&Compare", "&Blink",
+         "Two pictures in turn; Left and Right change the speed, Space holds one.", "blink", "K",
+         whenComparable, true},
+        {"compare.checkerboard", "&Compare", "&Checkerboard",
+         "Two pictures in tiles; Left and Right change their size.", "checker", "C", whenComparable, true},
+        {"compare.poses", "&Compare", "Before and &after",
+         "Compare registered layers at their first pose with where they lie now.", "", "", always, true,
+         "compared", true},
+        {"compare.layers", "&Compare", "&Target and source",
+         "Compare the target alone with the other layers alone: what runs through both fits.", "", "", always,
+         true, "compared"},
+        {"compare.end", "&Compare", "Back to the &plain view",
+         "End the comparison, the replay or the preview.", "", "Esc",
+         [](const Situation& s) { return s.comparing || s.previewing; }, false, "", true},
 
         {"measure.aims", "&Measure", "Take recorded &aims",
          "Resolve the clicks that the case recorded into picks.", "", "",
@@ -89,6 +126,13 @@ const std::vector<ActionSpec>& actionTable() {
         {"view.front", "&View", "&Front", "View the scene from the front.", "", "1", withLayers},
         {"view.left", "&View", "&Left", "View the scene from the left.", "", "3", withLayers},
         {"view.iso", "&View", "&Isometric", "View the scene obliquely from above.", "", "9", withLayers},
+        {"view.panel-measure", "&View", "&Measure panel", "Measurements and their errors.", "", "Ctrl+1",
+         always, false, "", true},
+        {"view.panel-align", "&View", "Ali&gn panel", "What a registration depends on.", "", "Ctrl+2",
+         always},
+        {"view.panel-fit", "&View", "Fit &quality",
+         "What the last registration says of itself: verdict, uncertainty, residuals, iterations.", "",
+         "Ctrl+3", always},
         {"view.color-source", "&View", "Colour &by layer", "Each layer in its own tint.", "", "Alt+1", always,
          true, "color", true},
         {"view.color-height", "&View", "Colour by &height", "Colour points by their height.", "", "Alt+2",

@@ -1,13 +1,17 @@
 #include "ui/actions/Situation.h"
 
+#include "ui/document/Attempts.h"
+#include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
+#include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/JobRunner.h"
 
 namespace vestige {
 
-Situation situationOf(const Document& document, const Selection& selection, const JobRunner& jobs) {
+Situation situationOf(const Document& document, const Selection& selection, const JobRunner& jobs,
+                      const Attempts& attempts, const Preview& preview, const Comparison& comparison) {
     const SceneState& scene = document.state();
     Situation now;
     now.busy = jobs.busy();
@@ -18,6 +22,11 @@ Situation situationOf(const Document& document, const Selection& selection, cons
         now.registered += layer.registration.has_value();
         now.registrable += layer.data && target && target->data && &layer != target;
     }
+    const ShownFit fit = shownFit(document, selection, attempts);
+    now.refused = fit.layer && !fit.entered;
+    now.candidates = now.refused && !fit.result->candidates.empty();
+    now.comparing = comparison.active();
+    now.previewing = preview.active();
     now.canUndo = document.canUndo();
     now.canRedo = document.canRedo();
     now.modified = document.modified();

@@ -4,11 +4,15 @@
 
 namespace vestige {
 
+class Attempts;
+class Comparison;
 class Document;
 class JobRunner;
+class Preview;
 class Selection;
 
 /// What is the case now, for the rules that enable actions.
-Situation situationOf(const Document& document, const Selection& selection, const JobRunner& jobs);
+Situation situationOf(const Document& document, const Selection& selection, const JobRunner& jobs,
+                      const Attempts& attempts, const Preview& preview, const Comparison& comparison);
 
 }  // namespace vestige

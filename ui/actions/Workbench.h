@@ -7,14 +7,18 @@ class QWidget;
 namespace vestige {
 
 class ActionCatalog;
+class Attempts;
+class Comparison;
 class Document;
 class DocumentPrinter;
 class Evidence;
 class FileChooser;
+class FitTrace;
 class JobRunner;
 class Loader;
 class Notices;
 class Presentation;
+class Preview;
 class RecentFiles;
 class Selection;
 class ViewRenderer;
@@ -26,6 +30,10 @@ struct Workbench {
     Document& document;
     Selection& selection;
     Presentation& presentation;
+    Preview& preview;
+    Comparison& comparison;
+    FitTrace& trace;
+    Attempts& attempts;
     JobRunner& jobs;
     Notices& notices;
     Loader& loader;

@@ -218,6 +218,19 @@ class Painter {
 
 }  // namespace
 
+ChartStyle panelChartStyle(const QFont& font) {
+    ChartStyle style;
+    style.font = font;
+    style.font.setPixelSize(10);
+    style.text = QColor(0xd7, 0xdd, 0xe4);
+    style.muted = QColor(0x8b, 0x96, 0xa3);
+    style.grid = QColor(0x2a, 0x32, 0x3c);
+    style.background = QColor(0x15, 0x1a, 0x20);
+    style.series = {QColor(0x3f, 0x7f, 0xf0), QColor(0x7d, 0x86, 0x90), QColor(0xf2, 0xab, 0x5c),
+                    QColor(0x76, 0xc4, 0xa0)};
+    return style;
+}
+
 ChartStyle paperChartStyle(const QFont& font, double line) {
     ChartStyle style;
     style.font = font;

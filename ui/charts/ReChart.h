@@ -24,6 +24,8 @@ struct ChartStyle {
     bool showValues = true;
 };
 
+/// Light on the dark background of a panel.
+ChartStyle panelChartStyle(const QFont& font);
 /// Opaque colours on white.
 ChartStyle paperChartStyle(const QFont& font, double line);
 

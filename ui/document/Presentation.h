@@ -21,9 +21,13 @@ class Presentation : public QObject {
     double pointSize_px() const { return pointSize_px_; }
     bool eyeDomeLighting() const { return eyeDomeLighting_; }
 
+    /// Arrows for the ways to move that a registration leaves free.
+    bool freeDirections() const { return freeDirections_; }
+
     void setColorMode(ColorMode mode) { set(colorMode_, mode); }
     void setOverlay(Overlay overlay) { set(overlay_, overlay); }
     void setBefore(bool before) { set(before_, before); }
+    void setFreeDirections(bool on) { set(freeDirections_, on); }
     void setPointSize(double size_px) { set(pointSize_px_, std::clamp(size_px, 1.0, 12.0)); }
     void setEyeDomeLighting(bool on) { set(eyeDomeLighting_, on); }
 
@@ -41,6 +45,7 @@ class Presentation : public QObject {
     ColorMode colorMode_ = ColorMode::source;
     Overlay overlay_ = Overlay::none;
     bool before_ = false;
+    bool freeDirections_ = true;
     double pointSize_px_ = 2;
     bool eyeDomeLighting_ = true;
 };

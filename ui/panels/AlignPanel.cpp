@@ -1,6 +1,7 @@
 #include "ui/panels/AlignPanel.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -10,21 +11,11 @@
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
 #include "ui/forms/ParameterForm.h"
+#include "ui/panels/ActionButtons.h"
 #include "ui/panels/LayerForm.h"
 #include "ui/panels/PanelSection.h"
 
 namespace vestige {
-namespace {
-
-void addSection(QVBoxLayout& column, const QString& title, QWidget* content) {
-    auto* section = new PanelSection(title);
-    content->setContentsMargins(12, 0, 12, 8);
-    section->setContent(content);
-    column.addWidget(section);
-}
-
-}  // namespace
-
 AlignPanel::AlignPanel(Document& document, Selection& selection, Notices& notices,
                        const ActionCatalog& actions, QWidget* parent)
     : QWidget(parent),
@@ -46,19 +37,16 @@ AlignPanel::AlignPanel(Document& document, Selection& selection, Notices& notice
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
-    auto* run = new QPushButton(tr("Register"));
-    QAction& action = actions["register.run"];
+    auto* run = buttonFor(actions["register.run"]);
     run->setProperty("role", "primary");
-    run->setToolTip(action.statusTip());
-    run->setEnabled(action.isEnabled());
-    connect(&action, &QAction::changed, run, [run, &action] { run->setEnabled(action.isEnabled()); });
-    connect(run, &QPushButton::clicked, &action, &QAction::trigger);
 
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll, 1);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(12, 6, 12, 12);
+    foot->setSpacing(12);
+    foot->addWidget(checkBoxFor(actions["register.watch"]));
     foot->addWidget(run, 1);
     whole->addLayout(foot);
 

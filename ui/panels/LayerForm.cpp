@@ -13,7 +13,7 @@
 namespace vestige {
 namespace {
 
-enum Start { identity, fromCase };
+enum Start { identity, fromCase, automatic };
 
 constexpr LayerRole kRoles[] = {LayerRole::aerial, LayerRole::handheld, LayerRole::photogrammetry};
 
@@ -40,8 +40,11 @@ LayerForm::LayerForm(Document& document, Selection& selection, QWidget* parent)
     form->setVerticalSpacing(6);
     for (const LayerRole role : kRoles) role_->addItem(toQt(vestige::name(role)));
     unit_->addItems({tr("recognise"), "m", "mm"});
-    start_->addItems({tr("where the file has it"), tr("pose or picks of the case")});
-    start_->setToolTip(tr("Where the registration of this layer starts"));
+    start_->addItems(
+        {tr("where the file has it"), tr("pose or picks of the case"), tr("found automatically")});
+    start_->setToolTip(
+        tr("Where the registration of this layer starts. Found automatically: anywhere in the target, "
+           "whatever the layer's pose and unit"));
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Role"), role_);
     form->addRow(tr("Unit"), unit_);
@@ -62,7 +65,9 @@ LayerForm::LayerForm(Document& document, Selection& selection, QWidget* parent)
     });
     connect(start_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
         if (index == fromCase) return fill();
-        change(tr("start of %1"), [](Layer& layer) { layer.init = InitIdentity(); });
+        change(tr("start of %1"), [index](Layer& layer) {
+            layer.init = index == automatic ? InitialPoseSpec(InitAuto()) : InitIdentity();
+        });
     });
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&selection_, &Selection::changed, this, [this] { fill(); });
@@ -90,7 +95,9 @@ void LayerForm::fill() {
     if (!name_->isModified() || !name_->hasFocus()) name_->setText(QString::fromStdString(layer->name));
     role_->setCurrentText(toQt(vestige::name(layer->role)));
     unit_->setCurrentIndex(!layer->unit ? 0 : *layer->unit == LengthUnit::metre ? 1 : 2);
-    start_->setCurrentIndex(std::holds_alternative<InitIdentity>(layer->init) ? identity : fromCase);
+    start_->setCurrentIndex(std::holds_alternative<InitIdentity>(layer->init) ? identity
+                            : std::holds_alternative<InitAuto>(layer->init)   ? automatic
+                                                                              : fromCase);
     const bool isTarget = layer->id == document_.state().target;
     start_->setEnabled(!isTarget);
 }

@@ -29,6 +29,14 @@ void PanelSection::setContent(QWidget* content, int stretch) {
     static_cast<QVBoxLayout*>(layout())->addWidget(content, stretch);
 }
 
+PanelSection* addSection(QVBoxLayout& column, const QString& title, QWidget* content) {
+    auto* section = new PanelSection(title);
+    content->setContentsMargins(12, 0, 12, 8);
+    section->setContent(content);
+    column.addWidget(section);
+    return section;
+}
+
 CompactList::CompactList(const QString& emptyText, QWidget* parent)
     : QWidget(parent), tree_(new QTreeWidget), empty_(new QLabel(emptyText)) {
     auto* column = new QVBoxLayout(this);

@@ -6,6 +6,7 @@ class QHBoxLayout;
 class QIcon;
 class QLabel;
 class QTreeWidget;
+class QVBoxLayout;
 
 namespace vestige {
 
@@ -21,6 +22,9 @@ class PanelSection : public QWidget {
   private:
     QHBoxLayout* heading_;
 };
+
+/// Puts `content` into a section of that title at the end of `column`, and returns the section.
+PanelSection* addSection(QVBoxLayout& column, const QString& title, QWidget* content);
 
 /// A frameless list of name and value at its right, as high as its rows.
 class CompactList : public QWidget {

@@ -4,21 +4,15 @@
 #include <QLabel>
 
 #include "core/base/Numbers.h"
+#include "ui/document/Attempts.h"
 #include "ui/document/Document.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
 #include "ui/panels/FiguresRow.h"
+#include "ui/panels/VerdictBadge.h"
 
 namespace vestige {
 namespace {
-
-const Layer* shownLayer(const SceneState& scene, const std::string& selected) {
-    const Layer* layer = scene.layer(selected);
-    if (layer && layer->registration) return layer;
-    for (auto it = scene.layers.rbegin(); it != scene.layers.rend(); ++it)
-        if (it->registration) return &*it;
-    return nullptr;
-}
 
 QString voxelText(const RegistrationResult& result) {
     if (result.voxelSchedule_m.empty()) return QString::fromUtf8("–");
@@ -43,10 +37,13 @@ QString whyEmpty(const SceneState& scene) {
 
 }  // namespace
 
-RegistrationStrip::RegistrationStrip(Document& document, Selection& selection, QWidget* parent)
+RegistrationStrip::RegistrationStrip(Document& document, Selection& selection, Attempts& attempts,
+                                     QWidget* parent)
     : QWidget(parent),
       document_(document),
       selection_(selection),
+      attempts_(attempts),
+      picture_(new QLabel),
       figures_(new FiguresRow),
       empty_(new QLabel) {
     setObjectName("registration-strip");
@@ -55,36 +52,44 @@ RegistrationStrip::RegistrationStrip(Document& document, Selection& selection, Q
     row->setContentsMargins(2, 2, 2, 4);
     empty_->setProperty("role", "muted");
     empty_->setContentsMargins(12, 6, 12, 6);
-    row->addWidget(figures_);
+    picture_->setContentsMargins(12, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(picture_);
+    row->addWidget(figures_, 1);
     row->addWidget(empty_);
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&selection_, &Selection::changed, this, [this] { fill(); });
+    connect(&attempts_, &Attempts::changed, this, [this] { fill(); });
     fill();
 }
 
 void RegistrationStrip::fill() {
     const SceneState& scene = document_.state();
-    const Layer* layer = shownLayer(scene, selection_.layer());
-    figures_->setVisible(layer != nullptr);
-    empty_->setVisible(layer == nullptr);
-    if (!layer) return empty_->setText(whyEmpty(scene));
-    const RegistrationResult& result = *layer->registration;
+    const ShownFit fit = shownFit(document_, selection_, attempts_);
+    figures_->setVisible(fit.layer != nullptr);
+    picture_->setVisible(fit.layer != nullptr);
+    empty_->setVisible(fit.layer == nullptr);
+    if (!fit.layer) return empty_->setText(whyEmpty(scene));
+    const RegistrationResult& result = *fit.result;
     const Layer* target = scene.layer(scene.target);
     const QString onto = target ? QString::fromStdString(target->name) : QString();
+    picture_->setPixmap(verdictPicture(result.verdict, 20, devicePixelRatioF()));
     figures_->setFigures(
-        {{result.converged ? tr("Converged") : tr("Not converged"),
-          tr("%1 on %2").arg(QString::fromStdString(layer->name), onto),
-          result.converged ? QColor(0x8f, 0xd9, 0xae) : QColor(0xf2, 0xab, 0x5c)},
+        {{verdictWord(result.verdict), tr("%1 on %2").arg(QString::fromStdString(fit.layer->name), onto),
+          verdictColor(result.verdict)},
          {QString::fromStdString(fixedText(100 * result.overlap, 0)) + " %", tr("overlap"), {}},
          {distanceText(result.rmse_m), tr("RMS distance"), {}},
          {motionText(result), tr("moved"), {}},
-         {QString::number(result.iterations), tr("iterations"), {}},
+         {QString::number(result.iterations),
+          result.converged ? tr("iterations, converged") : tr("iterations, not converged"),
+          {}},
          {voxelText(result), tr("voxels, %1 sizes").arg(result.voxelSchedule_m.size()), {}},
          {QString::fromStdString(fixedText(result.seconds, 1)) + " s",
           QString::fromStdString(result.method),
           {}}},
         "figure-small");
-    QStringList notes;
+    QStringList notes{verdictSentence(result.verdict)};
+    for (const auto& reason : result.reasons) notes << QString::fromStdString(reason);
     for (const auto& note : result.notes) notes << QString::fromStdString(note);
     setToolTip(notes.join("\n"));
 }

@@ -12,16 +12,21 @@
 #include "ui/actions/FileChooser.h"
 #include "ui/actions/Situation.h"
 #include "ui/actions/Workbench.h"
+#include "ui/actions/reactions/CompareReactions.h"
 #include "ui/actions/reactions/EditReactions.h"
 #include "ui/actions/reactions/ExportReactions.h"
 #include "ui/actions/reactions/FileReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
+#include "ui/document/Attempts.h"
+#include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
+#include "ui/document/FitTrace.h"
 #include "ui/document/Loader.h"
 #include "ui/document/Notices.h"
 #include "ui/document/Presentation.h"
+#include "ui/document/Preview.h"
 #include "ui/document/RecentFiles.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/ThreadedJobRunner.h"
@@ -52,13 +57,17 @@ struct MainWindow::Private {
           loader(document, *jobs, notices),
           evidence(document, *jobs, notices),
           view(std::make_unique<SceneView>(makeSurface, &window)),
-          presenter(std::make_unique<ScenePresenter>(document, selection, presentation, *jobs, *view)),
-          tools(std::make_unique<ToolSwitch>(actions, document, selection, notices, *view)),
-          bench{window, actions,  document, selection, presentation,      *jobs,        notices,
-                loader, evidence, recent,   chooser,   onGuiThread.get(), printer.get()},
+          presenter(std::make_unique<ScenePresenter>(
+              ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts}, *jobs,
+              *view)),
+          tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, notices, *view)),
+          bench{window,  actions,           document,     selection, presentation, preview,  comparison,
+                trace,   attempts,          *jobs,        notices,   loader,       evidence, recent,
+                chooser, onGuiThread.get(), printer.get()},
           files(bench),
           edits(bench),
           registration(bench),
+          compares(bench),
           views(bench),
           exports(bench) {}
 
@@ -69,6 +78,10 @@ struct MainWindow::Private {
     Document document;
     Selection selection;
     Presentation presentation;
+    Preview preview;
+    Comparison comparison;
+    FitTrace trace{document, preview};
+    Attempts attempts{document, preview};
     Notices notices;
     RecentFiles recent;
     std::unique_ptr<JobRunner> jobs;
@@ -82,6 +95,7 @@ struct MainWindow::Private {
     FileReactions files;
     EditReactions edits;
     RegistrationReactions registration;
+    CompareReactions compares;
     ViewReactions views;
     ExportReactions exports;
 };
@@ -116,15 +130,18 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     connect(&d.views, &ViewReactions::namedViewWanted, d.presenter.get(), &ScenePresenter::showNamedView);
     d.actions.onTriggered("help.about", [this] { showAbout(this); });
     const auto update = [this] {
-        d_->actions.update(situationOf(d_->document, d_->selection, *d_->jobs));
+        d_->actions.update(
+            situationOf(d_->document, d_->selection, *d_->jobs, d_->attempts, d_->preview, d_->comparison));
         setWindowTitle(d_->document.title() + "[*] - Vestige");
         setWindowModified(d_->document.modified());
     };
     connect(&d.document, &Document::changed, this, update);
     connect(&d.selection, &Selection::changed, this, update);
+    connect(&d.attempts, &Attempts::changed, this, update);
+    connect(&d.preview, &Preview::changed, this, update);
+    connect(&d.comparison, &Comparison::switched, this, update);
     connect(d.jobs.get(), &JobRunner::becameBusy, this, update);
     connect(d.jobs.get(), &JobRunner::finished, this, update);
-    connect(d.jobs.get(), &JobRunner::messaged, &d.notices, &Notices::inform);
     update();
 }
 

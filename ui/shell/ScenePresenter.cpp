@@ -4,9 +4,13 @@
 
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
+#include "core/pipeline/FreeDirections.h"
 #include "core/scene/PickFrame.h"
+#include "ui/document/Attempts.h"
+#include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
 #include "ui/document/Presentation.h"
+#include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/JobRunner.h"
 #include "ui/view/SceneView.h"
@@ -43,41 +47,48 @@ ViewDescription placedOnly(const SceneState& scene, const ViewDescription& descr
 
 }  // namespace
 
-ScenePresenter::ScenePresenter(Document& document, Selection& selection, Presentation& presentation,
-                               JobRunner& jobs, SceneView& view, QObject* parent)
-    : QObject(parent),
-      document_(document),
-      selection_(selection),
-      presentation_(presentation),
-      jobs_(jobs),
-      view_(view) {
-    connect(&document_, &Document::replaced, this, [this] { frameAll_ = true; });
-    connect(&document_, &Document::changed, this, [this] { refresh(); });
-    connect(&presentation_, &Presentation::changed, this, [this] { refresh(); });
-    connect(&selection_, &Selection::changed, this, [this] { refreshMarks(); });
+ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent)
+    : QObject(parent), models_(models), jobs_(jobs), view_(view) {
+    connect(&models_.document, &Document::replaced, this, [this] { frameAll_ = true; });
+    connect(&models_.document, &Document::changed, this, [this] { refresh(); });
+    connect(&models_.presentation, &Presentation::changed, this, [this] { refresh(); });
+    connect(&models_.preview, &Preview::changed, this, [this] { refresh(); });
+    connect(&models_.comparison, &Comparison::switched, this, [this] { refresh(); });
+    connect(&models_.comparison, &Comparison::adjusted, this,
+            [this] { view_.setComparison(models_.comparison.shown()); });
+    connect(&models_.selection, &Selection::changed, this, [this] { refreshMarks(); });
 }
 
 void ScenePresenter::showNamedView(NamedView view) {
     const ViewDescription& described = view_.description();
     if (bounds(described).empty()) return;
-    view_.setCamera(frameView(placedOnly(document_.state(), described), view,
+    view_.setCamera(frameView(placedOnly(models_.document.state(), described), view,
                               std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height())));
+}
+
+/// Distances to the target belong to one pose: a layer that is shown elsewhere goes without them.
+Overlay ScenePresenter::overlayNow() const {
+    const Overlay wanted = models_.presentation.overlay();
+    const bool elsewhere =
+        models_.preview.active() ||
+        (models_.comparison.active() && models_.comparison.what() == Comparison::What::beforeAfter);
+    return wanted == Overlay::residual && elsewhere ? Overlay::registration : wanted;
 }
 
 void ScenePresenter::refresh() {
     ++refreshes_;
     // Distances to the target take seconds on large clouds; the picture without them comes first.
-    const bool residual = presentation_.overlay() == Overlay::residual;
-    show(describeView(document_.state(), presentation_.colorMode(),
-                      residual ? Overlay::none : presentation_.overlay(), presentation_.before()));
+    const bool residual = overlayNow() == Overlay::residual;
+    show(describeView(models_.document.state(), models_.presentation.colorMode(),
+                      residual ? Overlay::none : overlayNow(), models_.presentation.before()));
     if (residual) computeResiduals();
 }
 
 void ScenePresenter::computeResiduals() {
     jobs_.run<ViewDescription>(
         tr("Distances to the target"),
-        [scene = document_.state(), mode = presentation_.colorMode(),
-         before = presentation_.before()](const JobControl& control) -> Result<ViewDescription> {
+        [scene = models_.document.state(), mode = models_.presentation.colorMode(),
+         before = models_.presentation.before()](const JobControl& control) -> Result<ViewDescription> {
             auto described = describeView(scene, mode, Overlay::residual, before);
             if (control.cancelled()) return fail(cancelledError());
             return described;
@@ -87,20 +98,39 @@ void ScenePresenter::computeResiduals() {
         });
 }
 
+/// Where a layer lies and what of it is seen, in both pictures of a comparison.
+void ScenePresenter::place(ViewLayer& shown) const {
+    const Layer* layer = models_.document.state().layer(shown.id);
+    const bool previewed = models_.preview.active() && models_.preview.layer() == shown.id;
+    if (previewed) shown.worldFromLayer = models_.preview.sceneFromLayer();
+    if (!models_.comparison.active() || !layer) return;
+    if (models_.comparison.what() == Comparison::What::sourceTarget) {
+        shown.other = ViewSide{shown.worldFromLayer, shown.isTarget};
+        shown.visible = !shown.isTarget;
+        return;
+    }
+    const RegistrationResult* refused = models_.attempts.of(shown.id);
+    if (previewed && refused)
+        shown.other = ViewSide{refused->initial, true};
+    else if (layer->registration)
+        shown.other = ViewSide{layer->registration->initial, true};
+}
+
 void ScenePresenter::show(ViewDescription described) {
-    described.pointSize_px = presentation_.pointSize_px();
-    described.eyeDomeLighting = presentation_.eyeDomeLighting();
-    described.marks =
-        marksOf(document_.state(), document_.measured(), selection_.object(), selection_.method());
+    described.pointSize_px = models_.presentation.pointSize_px();
+    described.eyeDomeLighting = models_.presentation.eyeDomeLighting();
+    for (ViewLayer& shown : described.layers) place(shown);
+    if (models_.comparison.active()) described.comparison = models_.comparison.shown();
+    annotate(described);
     std::vector<std::shared_ptr<const Octree>> octrees;
     for (const ViewLayer& shown : described.layers) {
-        const Layer* layer = document_.state().layer(shown.id);
+        const Layer* layer = models_.document.state().layer(shown.id);
         octrees.push_back(layer && layer->data ? layer->data->octree : nullptr);
     }
     const bool frame = frameAll_ && !bounds(described).empty();
     if (frame) {
         described.camera =
-            frameView(placedOnly(document_.state(), described), NamedView::perspective,
+            frameView(placedOnly(models_.document.state(), described), NamedView::perspective,
                       std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height()));
         frameAll_ = false;
     } else {
@@ -111,10 +141,19 @@ void ScenePresenter::show(ViewDescription described) {
     view_.setPickIndex(std::move(octrees));
 }
 
+/// Marks, and arrows along what the registration of the layer described leaves free.
+void ScenePresenter::annotate(ViewDescription& described) const {
+    described.marks = marksOf(models_.document.state(), models_.document.measured(),
+                              models_.selection.object(), models_.selection.method());
+    described.arrows.clear();
+    if (!models_.presentation.freeDirections() || models_.preview.active()) return;
+    const ShownFit fit = shownFit(models_.document, models_.selection, models_.attempts);
+    if (fit.entered && fit.result->quality) described.arrows = freeDirectionArrows(*fit.result->quality);
+}
+
 void ScenePresenter::refreshMarks() {
     ViewDescription described = view_.description();
-    described.marks =
-        marksOf(document_.state(), document_.measured(), selection_.object(), selection_.method());
+    annotate(described);
     view_.show(std::move(described));
 }
 

@@ -6,19 +6,30 @@
 
 namespace vestige {
 
+class Attempts;
+class Comparison;
 class Document;
 class JobRunner;
 class Presentation;
+class Preview;
 class SceneView;
 class Selection;
 
-/// Keeps the view showing the document as the presentation asks.
+/// Keeps the view showing the document as presentation, preview and comparison ask.
 class ScenePresenter : public QObject {
     Q_OBJECT
 
   public:
-    ScenePresenter(Document& document, Selection& selection, Presentation& presentation, JobRunner& jobs,
-                   SceneView& view, QObject* parent = nullptr);
+    /// What the view follows.
+    struct Models {
+        Document& document;
+        Selection& selection;
+        Presentation& presentation;
+        const Preview& preview;
+        const Comparison& comparison;
+        const Attempts& attempts;
+    };
+    ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent = nullptr);
     void showNamedView(NamedView view);
 
   private:
@@ -26,10 +37,11 @@ class ScenePresenter : public QObject {
     void refreshMarks();
     void computeResiduals();
     void show(ViewDescription described);
+    void place(ViewLayer& shown) const;
+    void annotate(ViewDescription& described) const;
+    Overlay overlayNow() const;
 
-    Document& document_;
-    Selection& selection_;
-    Presentation& presentation_;
+    Models models_;
     JobRunner& jobs_;
     SceneView& view_;
     bool frameAll_ = true;  ///< the next non-empty picture takes a camera that holds everything

@@ -19,6 +19,7 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
       bar_(new QProgressBar),
       percent_(new QLabel),
       cancel_(new QPushButton(tr("Cancel"))),
+      message_(new QLabel),
       coordinates_(new QLabel),
       layer_(new QLabel) {
     auto* row = new QHBoxLayout(this);
@@ -38,7 +39,11 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
     row->addWidget(bar_);
     row->addWidget(percent_);
     row->addWidget(cancel_);
-    row->addStretch(1);
+    message_->setObjectName("job-message");
+    message_->setProperty("role", "muted");
+    // A long sentence gives way to the rest of the strip.
+    message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(message_, 1);
     row->addWidget(coordinates_);
     row->addWidget(layer_);
     connect(cancel_, &QPushButton::clicked, this, [this] {
@@ -62,6 +67,9 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
         percent_->setText(tr("%1 %").arg(static_cast<int>(100 * fraction)));
         job_->setText(step.isEmpty() ? title_ : title_ + ": " + step);
     });
+    connect(&jobs_, &JobRunner::messaged, this, [this](const QString& sentence) {
+        if (jobs_.busy()) message_->setText(sentence);
+    });
     connect(&jobs_, &JobRunner::finished, this, [this] { showIdle(); });
     connect(&document_, &Document::changed, this, [this] {
         if (!jobs_.busy()) showIdle();
@@ -74,6 +82,7 @@ void StatusStrip::showIdle() {
     bar_->hide();
     percent_->hide();
     cancel_->hide();
+    message_->clear();
     std::uint64_t points = 0;
     for (const Layer& layer : document_.state().layers)
         if (layer.data) points += layer.data->points->size();

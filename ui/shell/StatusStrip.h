@@ -28,6 +28,7 @@ class StatusStrip : public QWidget {
     QProgressBar* bar_;
     QLabel* percent_;
     QPushButton* cancel_;
+    QLabel* message_;  ///< what the running job has to say: a neighbourhood's radius, a file that is skipped
     QLabel* coordinates_;
     QLabel* layer_;
     QString title_;

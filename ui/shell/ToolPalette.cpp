@@ -74,6 +74,8 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->addWidget(gap());
     row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));
+    for (const char* id : {"compare.swipe", "compare.blink", "compare.checkerboard"})
+        row->addWidget(buttonFor(actions[id], Qt::ToolButtonIconOnly));
     row->addWidget(gap());
     row->addWidget(colorButton(actions, presentation));
     row->addWidget(buttonFor(actions["view.smaller-points"], Qt::ToolButtonIconOnly));

@@ -9,13 +9,15 @@
 
 namespace vestige {
 
-ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection, Notices& notices,
-                       SceneView& view, QObject* parent)
+ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection,
+                       Comparison& comparison, Notices& notices, SceneView& view, QObject* parent)
     : QObject(parent),
       document_(document),
       view_(view),
       orbit_(probe_),
-      measure_(document, selection, notices, probe_) {
+      measure_(document, selection, notices, probe_),
+      compare_(comparison) {
+    view_.setGuard(&compare_);
     actions.onToggled("tool.orbit", [this](bool on) {
         if (on) view_.setTool(&orbit_);
     });
@@ -28,6 +30,7 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
 
 ToolSwitch::~ToolSwitch() {
     view_.setTool(nullptr);
+    view_.setGuard(nullptr);
 }
 
 void ToolSwitch::describe(const std::optional<Pick>& pick) {

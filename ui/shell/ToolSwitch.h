@@ -3,6 +3,7 @@
 #include <QObject>
 #include <string>
 
+#include "ui/tools/CompareTool.h"
 #include "ui/tools/HoverProbe.h"
 #include "ui/tools/MeasureTool.h"
 #include "ui/tools/OrbitTool.h"
@@ -10,14 +11,15 @@
 namespace vestige {
 
 class ActionCatalog;
+class Comparison;
 
 /// Which tool has the mouse, by the actions of the group "tool"; and what is under the cursor, in words.
 class ToolSwitch : public QObject {
     Q_OBJECT
 
   public:
-    ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection, Notices& notices,
-               SceneView& view, QObject* parent = nullptr);
+    ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection, Comparison& comparison,
+               Notices& notices, SceneView& view, QObject* parent = nullptr);
     ~ToolSwitch() override;
     MeasureTool& measure() { return measure_; }
 
@@ -32,6 +34,7 @@ class ToolSwitch : public QObject {
     HoverProbe probe_;
     OrbitTool orbit_;
     MeasureTool measure_;
+    CompareTool compare_;
 };
 
 }  // namespace vestige

@@ -1,5 +1,6 @@
 #include "ui/shell/ViewArea.h"
 
+#include <QEvent>
 #include <QLabel>
 
 namespace vestige {
@@ -22,6 +23,20 @@ void ViewArea::setTools(QWidget* tools) {
     tools_ = tools;
     tools->setParent(this);
     arrange();
+}
+
+void ViewArea::setBar(QWidget* bar) {
+    bar_ = bar;
+    bar->setParent(this);
+    bar->installEventFilter(this);
+    arrange();
+}
+
+bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
+    const auto type = event->type();
+    if (watched == bar_ && (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest))
+        arrange();
+    return QWidget::eventFilter(watched, event);
 }
 
 void ViewArea::setWelcome(QWidget* welcome) {
@@ -57,8 +72,15 @@ void ViewArea::arrange() {
         tools_->move(10, 10);
         tools_->raise();
     }
+    int below = tools_ ? tools_->geometry().bottom() + 8 : 10;
+    if (bar_ && !bar_->isHidden()) {
+        bar_->adjustSize();
+        bar_->move(10, below);
+        bar_->raise();
+        below = bar_->geometry().bottom() + 8;
+    }
     hint_->adjustSize();
-    hint_->move(10, tools_ ? tools_->geometry().bottom() + 8 : 10);
+    hint_->move(10, below);
     hint_->raise();
     if (welcome_) {
         welcome_->setGeometry(rect());

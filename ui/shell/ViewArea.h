@@ -15,6 +15,8 @@ class ViewArea : public QWidget {
     explicit ViewArea(QWidget* parent = nullptr);
     void setView(QWidget* view);
     void setTools(QWidget* tools);
+    /// Stands below the tools while it is visible.
+    void setBar(QWidget* bar);
     void setWelcome(QWidget* welcome);
     void showWelcome(bool show);
     void setHint(const QString& hint);
@@ -23,10 +25,12 @@ class ViewArea : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void arrange();
 
     QWidget* view_ = nullptr;
     QWidget* tools_ = nullptr;
+    QWidget* bar_ = nullptr;
     QWidget* welcome_ = nullptr;
     QLabel* hint_;
 };

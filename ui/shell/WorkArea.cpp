@@ -10,11 +10,13 @@
 #include "ui/panels/AccuracyPanel.h"
 #include "ui/panels/AlignPanel.h"
 #include "ui/panels/EvidencePanel.h"
+#include "ui/panels/FitPanel.h"
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/MeasurementsPanel.h"
 #include "ui/panels/ObjectsPanel.h"
 #include "ui/panels/RegistrationStrip.h"
 #include "ui/panels/ViewsPanel.h"
+#include "ui/shell/CompareBar.h"
 #include "ui/shell/NoticeBar.h"
 #include "ui/shell/ToolPalette.h"
 #include "ui/shell/ToolSwitch.h"
@@ -76,6 +78,7 @@ QWidget* WorkArea::makeMiddle() {
     auto* area = new ViewArea;
     area->setView(view_.widget());
     area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
+    area->setBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
     auto* welcome = new WelcomePage(bench_.actions, bench_.recent);
     area->setWelcome(welcome);
     connect(welcome, &WelcomePage::chosen, this, &WorkArea::chosen);
@@ -84,7 +87,7 @@ QWidget* WorkArea::makeMiddle() {
     connect(&bench_.document, &Document::changed, area, follow);
     follow();
     column->addWidget(area, 1);
-    column->addWidget(new RegistrationStrip(bench_.document, bench_.selection));
+    column->addWidget(new RegistrationStrip(bench_.document, bench_.selection, bench_.attempts));
     return middle;
 }
 
@@ -102,7 +105,13 @@ QWidget* WorkArea::makeRight() {
     tabs->addTab(measure, tr("Measure"));
     tabs->addTab(new AlignPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions),
                  tr("Align"));
+    tabs->addTab(
+        new FitPanel({bench_.document, bench_.selection, bench_.attempts, bench_.trace}, bench_.actions),
+        tr("Fit"));
     tabs->setMinimumWidth(340);
+    for (const auto& [id, index] : {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),
+                                    std::pair("view.panel-fit", 2)})
+        bench_.actions.onTriggered(id, [tabs, index = index] { tabs->setCurrentIndex(index); });
     return tabs;
 }
 

@@ -222,6 +222,19 @@ TEST_F(Workstation, SavesAndReopensTheSameCase) {
     EXPECT_EQ(again.lengths[0].re, measured.lengths[0].re);
 }
 
+TEST_F(Workstation, ReopeningAsksAboutUnsavedChanges) {
+    auto driver = startLoaded(true);
+    driver->answers().casePath = QString::fromStdString((folder / "yard.vestige").string());
+    ASSERT_TRUE(driver->trigger("file.save"));
+    ASSERT_TRUE(driver->trigger("register.run"));
+    driver->answers().unsaved = FileChooser::Unsaved::stay;
+    ASSERT_TRUE(driver->trigger("file.reopen"));
+    EXPECT_TRUE(driver->scene().layer("second-scan")->registration) << "nothing was lost";
+    driver->answers().unsaved = FileChooser::Unsaved::discard;
+    ASSERT_TRUE(driver->trigger("file.reopen"));
+    EXPECT_FALSE(driver->scene().layer("second-scan")->registration);
+}
+
 TEST_F(Workstation, DroppedFilesAreOpened) {
     auto driver = start(std::make_unique<InlineJobRunner>());
     QMimeData dropped;

@@ -50,4 +50,17 @@ SampleScans writeSampleScans(const std::filesystem::path& folder) {
     return scans;
 }
 
+std::filesystem::path writeBall(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / "ball.xyz";
+    std::ofstream out(file);
+    for (int i = 0; i < 4000; ++i) {
+        const double z = -1 + 2 * (i + 0.5) / 4000;
+        const double angle = 2.399963229728653 * i;
+        const double r = std::sqrt(1 - z * z);
+        out << fixedText(2 + 0.4 * r * std::cos(angle), 5) << ' ' << fixedText(0.4 * r * std::sin(angle), 5)
+            << ' ' << fixedText(2 + 0.4 * z, 5) << '\n';
+    }
+    return file;
+}
+
 }  // namespace vestige::test

@@ -14,6 +14,9 @@ struct SampleScans {
 };
 SampleScans writeSampleScans(const std::filesystem::path& folder);
 
+/// Something that stands nowhere in the yard: a ball of 0.4 m radius, two metres above its ground.
+std::filesystem::path writeBall(const std::filesystem::path& folder);
+
 /// Upper corners of the box, in the target's frame.
 inline const Eigen::Vector3d kBoxCorner{-1.0, -0.5, 0.8};
 inline const Eigen::Vector3d kBoxCornerAlongX{1.0, -0.5, 0.8};

@@ -28,7 +28,7 @@ FileReactions::FileReactions(const Workbench& bench, QObject* parent) : QObject(
         const auto file = bench_.document.state().file;
         if (file.empty())
             bench_.notices.inform(tr("This case was never saved, so there is nothing to reopen."));
-        else
+        else if (mayLeave())
             told(bench_.loader.openCase(file));
     });
     actions.onTriggered("file.verify", [this] { bench_.evidence.verify(); });

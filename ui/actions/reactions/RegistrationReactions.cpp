@@ -1,12 +1,18 @@
 #include "ui/actions/reactions/RegistrationReactions.h"
 
+#include <QSignalBlocker>
+
 #include "core/pipeline/RegisterLayers.h"
 #include "core/pipeline/ResolveAims.h"
 #include "core/scene/Edits.h"
 #include "ui/actions/ActionCatalog.h"
+#include "ui/document/Attempts.h"
+#include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
+#include "ui/document/FitTrace.h"
 #include "ui/document/Notices.h"
 #include "ui/document/Presentation.h"
+#include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/JobRunner.h"
 
@@ -15,19 +21,21 @@ namespace {
 
 struct Found {
     std::string layer;
-    RegistrationResult result;
+    Result<RegistrationResult> result;
 };
 
+/// A layer that cannot be registered keeps none of the others from it.
 Result<std::vector<Found>> registerAll(const SceneState& scene, const std::vector<std::string>& layers,
-                                       const JobControl& control) {
+                                       const FitTrace::Watches& watches, const JobControl& control) {
     std::vector<Found> found;
     const double count = static_cast<double>(layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
+        const JobControl part =
+            control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         auto result =
-            registerLayer(scene, layers[i],
-                          control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
-        if (!result) return fail(result.error());
-        found.push_back({layers[i], std::move(*result)});
+            attemptLayer(scene, layers[i], part, watches ? watches(layers[i]) : RegistrationWatch());
+        if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
+        found.push_back({layers[i], std::move(result)});
     }
     return found;
 }
@@ -51,10 +59,29 @@ RegistrationReactions::RegistrationReactions(const Workbench& bench, QObject* pa
     : QObject(parent), bench_(bench) {
     auto& actions = bench_.actions;
     actions.onTriggered("register.run", [this] { registerLayers(); });
+    actions.onTriggered("register.auto", [this] { registerLayers(InitAuto()); });
+    actions.onTriggered("register.use-candidate", [this] { useCandidate(); });
+    actions.onToggled("register.preview", [this](bool on) {
+        bench_.attempts.showPreview(described(), on);
+        follow();
+    });
     actions.onTriggered("register.clear", [this] {
         bench_.document.perform(setRegistration(bench_.selection.layer(), std::nullopt));
     });
     actions.onTriggered("measure.aims", [this] { resolveRecordedAims(); });
+    connect(&bench_.attempts, &Attempts::changed, this, [this] { follow(); });
+    connect(&bench_.selection, &Selection::changed, this, [this] { follow(); });
+}
+
+std::string RegistrationReactions::described() const {
+    const ShownFit fit = shownFit(bench_.document, bench_.selection, bench_.attempts);
+    return fit.layer ? fit.layer->id : std::string();
+}
+
+void RegistrationReactions::follow() {
+    QAction& action = bench_.actions["register.preview"];
+    const QSignalBlocker quiet(action);
+    action.setChecked(bench_.attempts.previewed(described()));
 }
 
 std::vector<std::string> RegistrationReactions::layersToRegister() const {
@@ -69,35 +96,89 @@ std::vector<std::string> RegistrationReactions::layersToRegister() const {
     return open.empty() ? all : open;
 }
 
-void RegistrationReactions::registerLayers() {
+void RegistrationReactions::registerLayers(const std::optional<InitialPoseSpec>& start) {
     const auto layers = layersToRegister();
-    if (layers.empty()) return;
-    const QString names = namesOf(bench_.document.state(), layers);
+    if (!layers.empty()) run(layers, start);
+}
+
+void RegistrationReactions::useCandidate() {
+    const std::string layer = described();
+    const RegistrationResult* refused = bench_.attempts.of(layer);
+    if (refused && !refused->candidates.empty()) run({layer}, InitPose{bench_.attempts.pose(layer)});
+}
+
+void RegistrationReactions::run(const std::vector<std::string>& layers,
+                                const std::optional<InitialPoseSpec>& start) {
+    SceneState scene = bench_.document.state();
+    if (start)
+        for (const std::string& id : layers) scene.layer(id)->init = *start;
+    const QString names = namesOf(scene, layers);
+    bench_.preview.end();
+    FitTrace::Watches watches;
+    if (bench_.actions["register.watch"].isChecked()) {
+        bench_.comparison.setMode(std::nullopt);
+        bench_.presentation.setOverlay(Overlay::registration);
+        bench_.actions["view.panel-fit"].trigger();
+        watches = bench_.trace.begin();
+    }
     using FoundAll = std::vector<Found>;
     bench_.jobs.run<FoundAll>(
         tr("Registering %1").arg(names),
-        [scene = bench_.document.state(), layers](const JobControl& control) {
-            return registerAll(scene, layers, control);
+        [scene = std::move(scene), layers, watches](const JobControl& control) {
+            return registerAll(scene, layers, watches, control);
         },
-        [this, names](Result<FoundAll> found) {
-            if (!found) return bench_.notices.failed(found.error());
+        [this, names, start](Result<FoundAll> all) {
+            bench_.trace.finish();
+            if (!all) return bench_.notices.failed(all.error());
             bench_.document.begin(tr("register %1").arg(names));
-            for (Found& one : *found) enter(one.layer, std::move(one.result));
+            QStringList sentences;
+            bool entered = false;
+            for (Found& one : *all) {
+                const bool found = one.result && one.result->trustworthy();
+                const QString said = take(one.layer, std::move(one.result), start);
+                if (!said.isEmpty()) sentences << said;
+                entered = entered || found;
+            }
             bench_.document.end();
+            if (!sentences.isEmpty()) emit bench_.notices.warned(sentences.join("\n"));
             bench_.presentation.setBefore(false);
-            bench_.presentation.setOverlay(Overlay::registration);
-            if (hasAims(bench_.document.state())) resolveRecordedAims();
+            if (entered) bench_.presentation.setOverlay(Overlay::registration);
+            if (entered && hasAims(bench_.document.state())) resolveRecordedAims();
         });
 }
 
-void RegistrationReactions::enter(const std::string& id, RegistrationResult result) {
+QString RegistrationReactions::take(const std::string& id, Result<RegistrationResult> result,
+                                    const std::optional<InitialPoseSpec>& start) {
+    const Layer* layer = bench_.document.state().layer(id);
+    if (!layer) return {};  // removed while it was being registered
+    const QString name = QString::fromStdString(layer->name);
+    if (!result)
+        return tr("%1 was not registered: %2.").arg(name, QString::fromStdString(result.error().sentence()));
+    const QString reason =
+        result->reasons.empty() ? QString() : ": " + QString::fromStdString(result->reasons.front());
+    if (!result->trustworthy()) {
+        const bool several = result->verdict == Verdict::ambiguous;
+        bench_.attempts.set(id, std::move(*result));
+        bench_.selection.setLayer(id);
+        bench_.actions["view.panel-fit"].trigger();
+        return several ? tr("%1 was not moved: several places fit alike. Choose one under Fit.").arg(name)
+                       : tr("%1 was not moved, the registration failed%2. Fit shows what it found.")
+                             .arg(name, reason);
+    }
+    const bool doubtful = result->verdict == Verdict::doubtful;
+    bench_.attempts.forget(id);
+    enter(id, std::move(*result), start);
+    return doubtful ? tr("The registration of %1 is doubtful%2.").arg(name, reason) : QString();
+}
+
+void RegistrationReactions::enter(const std::string& id, RegistrationResult result,
+                                  const std::optional<InitialPoseSpec>& start) {
     const SceneState& scene = bench_.document.state();
     const Layer* layer = scene.layer(id);
-    if (!layer) return;  // removed while it was being registered
-    if (!needsRegistration(scene, *layer)) {
+    if (start || !needsRegistration(scene, *layer)) {
         // Asked for by hand; with a first pose the report registers it as well.
         Layer changed = *layer;
-        changed.init = InitPose{result.initial};
+        changed.init = start.value_or(InitPose{result.initial});
         bench_.document.perform(changeLayer(std::move(changed), "first pose of " + layer->name));
     }
     bench_.document.perform(setRegistration(id, std::move(result)));

@@ -37,6 +37,7 @@ ViewReactions::ViewReactions(const Workbench& bench, QObject* parent) : QObject(
     actions.onToggled("register.residual",
                       [&shown](bool on) { shown.setOverlay(on ? Overlay::residual : Overlay::none); });
     actions.onToggled("register.before", [&shown](bool on) { shown.setBefore(on); });
+    actions.onToggled("register.freedom", [&shown](bool on) { shown.setFreeDirections(on); });
     connect(&shown, &Presentation::changed, this, [this] { follow(); });
     follow();
 }
@@ -53,6 +54,7 @@ void ViewReactions::follow() {
     check("register.tint", shown.overlay() == Overlay::registration);
     check("register.residual", shown.overlay() == Overlay::residual);
     check("register.before", shown.before());
+    check("register.freedom", shown.freeDirections());
 }
 
 }  // namespace vestige
