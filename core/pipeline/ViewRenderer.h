@@ -54,8 +54,8 @@ struct ViewLayer {
     std::array<std::uint8_t, 3> tint{160, 180, 200};
     std::shared_ptr<const std::vector<float>> residual_m;  ///< per point, for Overlay::residual; may be null
     bool visible = true;
-    bool isTarget = false;          ///< what the others are registered to; for Overlay::registration
-    std::optional<ViewSide> other;  ///< in the other picture; nothing: the same
+    bool isTarget = false;  ///< what the others are registered to; for Overlay::registration
+    std::optional<ViewSide> other = std::nullopt;  ///< in the other picture; nothing: the same
 };
 
 /// A measured pair drawn into the view with its length.
