@@ -62,8 +62,8 @@ Status drawWindow(const WindowPicture& wanted) {
         if (const Status registered = registerLayers(window); !registered) return registered;
     window.setOverlay(wanted.overlay);
     QApplication::processEvents();
-    if (const Status triggered = trigger(window, wanted.actions); !triggered) return triggered;
     window.showNamedView(wanted.view);
+    if (const Status triggered = trigger(window, wanted.actions); !triggered) return triggered;
     // Layouts and palettes settle with the events; then the points that are still to come are drawn at once.
     for (int round = 0; round < 5; ++round) QApplication::processEvents();
     window.view().completePicture();

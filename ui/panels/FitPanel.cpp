@@ -34,6 +34,7 @@ QLabel* wordsLabel(const char* name) {
 QWidget* columnOf(std::initializer_list<QWidget*> widgets) {
     auto* box = new QWidget;
     auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     for (QWidget* widget : widgets) column->addWidget(widget);
     return box;
@@ -69,6 +70,7 @@ FitPanel::FitPanel(const Models& models, const ActionCatalog& actions, QWidget* 
     candidates_->tree().setObjectName("candidates");
     candidates_->tree().setToolTip(tr("A click shows the layer there, without moving it"));
     figures_->setObjectName("fit-figures");
+    figures_->layout()->setContentsMargins(0, 2, 0, 2);
     auto* column = new QVBoxLayout(content_);
     column->setContentsMargins(0, 6, 0, 6);
     column->setSpacing(6);

@@ -27,13 +27,19 @@ FitChart chartOf(const FitTrace::Steps& steps, std::optional<std::size_t> cursor
     return chart;
 }
 
+/// Steps become much smaller than what distanceText() tells apart.
+QString sizeText(double metres) {
+    if (metres >= 1e-4) return distanceText(metres);
+    return QString::number(1e6 * metres, 'g', 2) + QString::fromUtf8(" µm");
+}
+
 QString describe(const RegistrationStep& step) {
     const QString tried = step.step_m > 0 ? QObject::tr("step %1%2")
-                                                .arg(distanceText(step.step_m))
+                                                .arg(sizeText(step.step_m))
                                                 .arg(step.taken ? QString() : QObject::tr(", not taken"))
                                           : QObject::tr("start of this size");
     return QObject::tr("Voxels %1 · trust radius %2 · %3 · score %4")
-        .arg(distanceText(step.voxel_m), distanceText(step.trustRadius_m), tried,
+        .arg(distanceText(step.voxel_m), sizeText(step.trustRadius_m), tried,
              QString::number(step.score, 'g', 6));
 }
 
@@ -78,6 +84,7 @@ FitTraceView::FitTraceView(FitTrace& trace, QWidget* parent)
       step_(new QLabel),
       empty_(new QLabel(tr("Not watched. Switch on “Watch the fit” (W) and register again."))) {
     auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(content_);
     whole->addWidget(empty_);
     empty_->setWordWrap(true);

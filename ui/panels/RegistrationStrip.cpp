@@ -80,15 +80,14 @@ void RegistrationStrip::fill() {
          {QString::fromStdString(fixedText(100 * result.overlap, 0)) + " %", tr("overlap"), {}},
          {distanceText(result.rmse_m), tr("RMS distance"), {}},
          {motionText(result), tr("moved"), {}},
-         {QString::number(result.iterations),
-          result.converged ? tr("iterations, converged") : tr("iterations, not converged"),
-          {}},
+         {QString::number(result.iterations), tr("iterations"), {}},
          {voxelText(result), tr("voxels, %1 sizes").arg(result.voxelSchedule_m.size()), {}},
          {QString::fromStdString(fixedText(result.seconds, 1)) + " s",
           QString::fromStdString(result.method),
           {}}},
         "figure-small");
-    QStringList notes{verdictSentence(result.verdict)};
+    QStringList notes{tr("%1 on %2").arg(QString::fromStdString(fit.layer->name), onto),
+                      verdictSentence(result.verdict)};
     for (const auto& reason : result.reasons) notes << QString::fromStdString(reason);
     for (const auto& note : result.notes) notes << QString::fromStdString(note);
     setToolTip(notes.join("\n"));

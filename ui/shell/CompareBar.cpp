@@ -57,9 +57,10 @@ CompareBar::CompareBar(const ActionCatalog& actions, Comparison& comparison, con
     slider_->setFocusPolicy(Qt::NoFocus);
     row->addWidget(slider_);
     auto* close = new QToolButton;
-    close->setDefaultAction(&actions["compare.end"]);
+    QAction& end = actions["compare.end"];
     close->setText(QString::fromUtf8("×"));
-    close->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    close->setToolTip(end.toolTip());
+    connect(close, &QToolButton::clicked, &end, &QAction::trigger);
     row->addWidget(close);
     connect(slider_, &QSlider::valueChanged, this, [this](int place) {
         if (comparison_.mode() == CompareMode::checkerboard)

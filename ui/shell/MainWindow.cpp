@@ -128,6 +128,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     statusBar()->addPermanentWidget(status, 1);
 
     connect(&d.views, &ViewReactions::namedViewWanted, d.presenter.get(), &ScenePresenter::showNamedView);
+    d.actions.onTriggered("view.layer", [this] { d_->presenter->showLayer(); });
     d.actions.onTriggered("help.about", [this] { showAbout(this); });
     const auto update = [this] {
         d_->actions.update(

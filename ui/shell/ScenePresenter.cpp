@@ -1,6 +1,7 @@
 #include "ui/shell/ScenePresenter.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
@@ -34,6 +35,19 @@ std::vector<ViewMark> marksOf(const SceneState& scene, const MeasuredScene& meas
     return marks;
 }
 
+/// The camera moved along its direction until the box fills its picture.
+ViewCamera lookAt(ViewCamera camera, const BoundingBox& box) {
+    const double reach = 0.55 * std::max(box.diagonal(), 0.01);
+    const double narrow = std::min(1.0, static_cast<double>(camera.width_px) / camera.height_px);
+    const Eigen::Vector3d forward = camera.direction();
+    camera.focalPoint = box.centre();
+    camera.halfHeight_m = reach / narrow;
+    const double distance =
+        camera.parallel ? 4 * reach : reach / narrow / std::tan(0.5 * camera.verticalAngle_rad);
+    camera.position = camera.focalPoint - distance * forward;
+    return camera;
+}
+
 /// A scan that is not registered yet lies in a frame of its own, perhaps far away: it takes no part in
 /// framing while another layer has its place.
 ViewDescription placedOnly(const SceneState& scene, const ViewDescription& described) {
@@ -64,6 +78,15 @@ void ScenePresenter::showNamedView(NamedView view) {
     if (bounds(described).empty()) return;
     view_.setCamera(frameView(placedOnly(models_.document.state(), described), view,
                               std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height())));
+}
+
+void ScenePresenter::showLayer() {
+    const ShownFit fit = shownFit(models_.document, models_.selection, models_.attempts);
+    const std::string& selected = models_.selection.layer();
+    const std::string wanted = selected.empty() && fit.layer ? fit.layer->id : selected;
+    ViewDescription alone = view_.description();
+    std::erase_if(alone.layers, [&](const ViewLayer& layer) { return layer.id != wanted; });
+    if (!bounds(alone).empty()) view_.setCamera(lookAt(view_.camera(), bounds(alone)));
 }
 
 /// Distances to the target belong to one pose: a layer that is shown elsewhere goes without them.

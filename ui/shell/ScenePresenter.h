@@ -31,6 +31,9 @@ class ScenePresenter : public QObject {
     };
     ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent = nullptr);
     void showNamedView(NamedView view);
+    /// Fills the view with the selected layer, else the one whose registration is described, seen from where
+    /// the camera is.
+    void showLayer();
 
   private:
     void refresh();

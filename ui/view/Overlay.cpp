@@ -37,10 +37,10 @@ void paintOverlay(QPainter& painter, const OverlayContent& content) {
     const QRectF picture(0, 0, content.camera.width_px, content.camera.height_px);
     const QRectF inside = picture.adjusted(kMargin, kMargin, -kMargin, -kMargin);
     std::vector<QRectF> taken;
+    if (view.comparison) taken.push_back(paintSplit(painter, theme, picture, *view.comparison));
     if (!view.title.empty()) taken.push_back(paintTitle(painter, theme, QString::fromStdString(view.title)));
     if (view.showLegend) taken.push_back(paintLegend(painter, theme, inside, view, content.scale));
     if (view.showScaleBar) taken.push_back(paintScaleBar(painter, theme, inside, content.camera));
-    if (view.comparison) taken.push_back(paintSplit(painter, theme, picture, *view.comparison));
     for (const ViewArrow& arrow : view.arrows)
         paintArrow(painter, theme, picture, content.camera, arrow, taken);
     std::vector<PaintedMark> marks;

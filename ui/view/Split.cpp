@@ -8,7 +8,7 @@ namespace vestige {
 namespace {
 
 constexpr double kNameHeight = 28;
-constexpr double kAboveFoot = 22;
+constexpr double kAboveFoot = 64;  // clear of the scale bar
 
 double widthOf(const QPainter& painter, const QString& text) {
     return painter.fontMetrics().horizontalAdvance(text) + 24;
