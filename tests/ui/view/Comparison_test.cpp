@@ -58,8 +58,8 @@ TEST(Comparison, SwipeShowsTheOtherPictureLeftOfTheDivider) {
     const Alone alone(view);
     ASSERT_LT(alike(alone.own, alone.other, {0, 0, 400, 300}), 0.9);
     const QImage shown = picture(view);
-    EXPECT_GT(alike(shown, alone.other, {0, 0, 140, 240}), 0.99);
-    EXPECT_GT(alike(shown, alone.own, {180, 0, 220, 240}), 0.999);
+    EXPECT_GT(alike(shown, alone.other, {0, 0, 140, 200}), 0.99);
+    EXPECT_GT(alike(shown, alone.own, {180, 0, 220, 200}), 0.999);
 }
 
 TEST(Comparison, TilesShowBothInTurnFromTheTopLeft) {
@@ -78,7 +78,7 @@ TEST(Comparison, TilesShowBothInTurnFromTheTopLeft) {
 TEST(Comparison, BlinkShowsOneOfThem) {
     ViewDescription view = movedSquare(CompareMode::blink);
     const Alone alone(view);
-    const QRect aboveTheName(0, 0, 400, 240);
+    const QRect aboveTheName(0, 0, 400, 200);
     EXPECT_GT(alike(picture(view), alone.own, aboveTheName), 0.999);
     view.comparison->otherShown = true;
     EXPECT_GT(alike(picture(view), alone.other, aboveTheName), 0.99);
@@ -93,8 +93,8 @@ TEST(Comparison, ALayerCanBeMissingInOnePicture) {
         return visible;
     }());
     const QImage shown = picture(view);
-    EXPECT_GT(alike(shown, alone.other, {0, 0, 180, 240}), 0.99);
-    const QRect right(220, 0, 180, 240);
+    EXPECT_GT(alike(shown, alone.other, {0, 0, 180, 200}), 0.99);
+    const QRect right(220, 0, 180, 200);
     int bright = 0;
     for (int y = right.top(); y <= right.bottom(); ++y)
         for (int x = right.left(); x <= right.right(); ++x) bright += qGray(shown.pixel(x, y)) > 100;
