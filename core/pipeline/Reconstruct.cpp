@@ -59,6 +59,7 @@ Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path
                        {},
                        {},
                        {},
+                       {},
                        {}};
     if (const Status opened = run.output.open(); !opened) return fail(opened.error());
 

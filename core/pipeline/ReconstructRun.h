@@ -1,13 +1,13 @@
 #pragma once
 
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/pipeline/DocumentPrinter.h"
 #include "core/pipeline/OutputFolder.h"
 #include "core/pipeline/Recipe.h"
-#include "core/pipeline/RegisterLayers.h"
+#include "core/pipeline/RegisterTogether.h"
 #include "core/pipeline/ViewRenderer.h"
 #include "core/report/ReportInput.h"
 #include "core/scene/MeasuredScene.h"
@@ -31,7 +31,8 @@ struct ReconstructRun {
 
     std::string date;  ///< ISO 8601, UTC, of the start
     std::vector<InputFile> inputs;
-    std::map<std::string, PreparedRegistration> prepared;
+    PreparedLayers prepared;
+    std::optional<JointAdjustment> adjustment;
     MeasuredScene measured;
     std::vector<ReportPicture> pictures;
     std::vector<StageTime> stages;

@@ -6,25 +6,15 @@
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
-#include "core/registration/RegistrationWatch.h"
-#include "core/registration/global/FirstPose.h"
+#include "core/pipeline/RegisterPair.h"
 #include "core/scene/Scene.h"
 
 namespace vestige {
 
-/// True for a layer that the pipeline registers to the target: a handheld scan, and any other layer that the
-/// case gives a first pose for. A photogrammetry cloud without one is compared as it comes, in its own frame.
+/// True for a layer that the pipeline registers: a handheld scan, any other layer that the case gives a first
+/// pose for, and with the parameter "strips" every aerial layer besides the target. A photogrammetry cloud
+/// without one is compared as it comes, in its own frame.
 bool needsRegistration(const SceneState& scene, const Layer& layer);
-
-/// What a registration starts with, once unit and first pose are known.
-struct PreparedRegistration {
-    TriangleMesh
-        target;  ///< metres, preprocessed; the part within reach of the scan where the first pose is given
-    Similarity initial;             ///< its scale: metres per unit of the source
-    std::optional<double> error_m;  ///< of the first pose, where picked pairs tell it
-    std::vector<std::string> notes;
-    std::optional<FirstPose> found;  ///< by the search, where the layer's first pose is automatic
-};
 
 /// Unit, first pose and the preprocessed target of one loaded layer. ErrorCode::input for an initial pose
 /// that cannot be had (broken picks), ErrorCode::untrustworthy when the pose puts the scan away from the
@@ -36,8 +26,7 @@ Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::
                                             const RegistrationWatch& watch = {});
 
 /// Registers one loaded layer of the scene to its target: unit, first pose, preprocessing of the target, NDT.
-/// Reads the state only; any thread. The window and `reconstruct` call this one function (the latter in its
-/// two steps).
+/// Reads the state only; any thread. Several layers that overlap each other: registerLayers().
 Result<RegistrationResult> registerLayer(const SceneState& scene, const std::string& layer,
                                          const JobControl& control, const RegistrationWatch& watch = {});
 

@@ -239,6 +239,28 @@ const ParameterTable& registrationParameters() {
          {},
          "A second place that agrees with the target as well as the best but for this share makes the first "
          "pose ambiguous."},
+        {"strips",
+         "",
+         "Register aerial strips",
+         "",
+         boolean,
+         false,
+         {},
+         {},
+         {},
+         "Aerial layers besides the target are registered, too, from where they lie: strips of one flight. "
+         "Without it they are compared as they come."},
+        {"pair_overlap",
+         "",
+         "Least overlap of a pair",
+         "",
+         real,
+         0.2,
+         0.0,
+         1.0,
+         {},
+         "Layers besides the target are registered to each other as well where at least this share of the "
+         "smaller one is expected to lie on the other."},
     };
     return table;
 }

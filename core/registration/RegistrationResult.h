@@ -45,6 +45,7 @@ struct RegistrationResult {
     std::vector<std::string> reasons;       ///< for the verdict, in plain words
     std::vector<PoseCandidate> candidates;  ///< of an automatic first pose, the best first
     std::optional<RegistrationQuality> quality;
+    std::vector<std::string> via;  ///< layers it was registered to, where they were not the target alone
 
     bool trustworthy() const { return verdict == Verdict::accepted || verdict == Verdict::doubtful; }
 };

@@ -37,6 +37,12 @@ std::array<std::uint8_t, 3> defaultTint(std::size_t place) {
     return kPalette[place % kPalette.size()];
 }
 
+std::string referenceOf(const InitialPoseSpec& init) {
+    if (const auto* picks = std::get_if<InitPicks>(&init)) return picks->to;
+    if (const auto* pose = std::get_if<InitPose>(&init)) return pose->to;
+    return {};
+}
+
 Similarity sceneFromLayer(const Layer& layer) {
     if (layer.registration) return layer.registration->targetFromSource;
     return {Pose::Identity(), layer.metresPerUnit()};

@@ -38,12 +38,16 @@ struct LayerData {
 struct InitIdentity {};
 struct InitPicks {
     std::filesystem::path picks;  ///< absolute once read from a case
+    std::string to{};             ///< the layer that the pose leads to; empty: the case's target
 };
 struct InitPose {
     Similarity targetFromSource;
+    std::string to{};  ///< as above
 };
 struct InitAuto {};
 using InitialPoseSpec = std::variant<InitIdentity, InitPicks, InitPose, InitAuto>;
+/// The layer that a first pose leads to; empty: the case's target.
+std::string referenceOf(const InitialPoseSpec& init);
 
 /// One cloud or mesh of a case.
 struct Layer {

@@ -64,6 +64,7 @@ std::string registrationText(const SceneState& scene) {
         if (!layer.registration) continue;
         json entry = registrationJson(*layer.registration, false);
         entry["layer"] = layer.id;
+        entry["via"] = layer.registration->via.empty() ? std::vector{scene.target} : layer.registration->via;
         list.push_back(std::move(entry));
     }
     return list.dump(2, ' ', false, json::error_handler_t::replace) + "\n";

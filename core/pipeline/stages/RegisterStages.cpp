@@ -1,5 +1,6 @@
 #include "core/base/Numbers.h"
 #include "core/pipeline/ReconstructRun.h"
+#include "core/pipeline/RegisterLayers.h"
 #include "core/report/Wording.h"
 #include "core/scene/Edits.h"
 
@@ -14,12 +15,6 @@ std::vector<std::string> layersToRegister(const SceneState& scene) {
     for (const Layer& layer : scene.layers)
         if (needsRegistration(scene, layer)) ids.push_back(layer.id);
     return ids;
-}
-
-/// The part of a stage's progress that the i-th of `count` layers takes.
-JobControl partOf(const JobControl& control, std::size_t i, std::size_t count) {
-    return control.sub(static_cast<double>(i) / static_cast<double>(count),
-                       static_cast<double>(i + 1) / static_cast<double>(count));
 }
 
 void warn(ReconstructRun& run, const JobControl& control, const std::string& text) {
@@ -44,28 +39,24 @@ void judge(ReconstructRun& run, const JobControl& control, const Layer& layer) {
 }  // namespace
 
 Status preprocessStage(ReconstructRun& run, const JobControl& control) {
-    const auto ids = layersToRegister(run.scene);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        auto prepared = prepareRegistration(run.scene, ids[i], partOf(control, i, ids.size()));
-        if (!prepared) return fail(prepared.error());
-        run.prepared.emplace(ids[i], std::move(*prepared));
-    }
+    run.prepared = prepareLayers(run.scene, layersToRegister(run.scene), control);
+    for (const auto& [layer, prepared] : run.prepared)
+        if (!prepared && prepared.error().code != ErrorCode::untrustworthy) return fail(prepared.error());
     return {};
 }
 
 Status registerStage(ReconstructRun& run, const JobControl& control) {
-    const auto ids = layersToRegister(run.scene);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        auto result =
-            registerPrepared(run.scene, ids[i], run.prepared.at(ids[i]), partOf(control, i, ids.size()));
-        if (!result) return fail(result.error());
-        run.prepared.erase(ids[i]);
-        Layer& layer = *run.scene.layer(ids[i]);
+    auto registered =
+        registerLayers(run.scene, layersToRegister(run.scene), std::move(run.prepared), control);
+    if (!registered) return fail(registered.error());
+    for (auto& [id, result] : registered->layers) {
+        Layer& layer = *run.scene.layer(id);
         if (!layer.unit)
-            layer.unit = result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
-        setRegistration(ids[i], std::move(*result))->apply(run.scene);
-        judge(run, control, *run.scene.layer(ids[i]));
+            layer.unit = result.targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
+        setRegistration(id, std::move(result))->apply(run.scene);
+        judge(run, control, *run.scene.layer(id));
     }
+    run.adjustment = std::move(registered->adjustment);
     return {};
 }
 

@@ -9,10 +9,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json initJson(const InitialPoseSpec& init, const PathText& pathText) {
-    if (const auto* picks = std::get_if<InitPicks>(&init)) return {{"picks", pathText(picks->picks)}};
-    if (const auto* given = std::get_if<InitPose>(&init))
-        return {{"pose", poseJson(given->targetFromSource.pose)}, {"scale", given->targetFromSource.scale}};
-    return std::holds_alternative<InitAuto>(init) ? Json("auto") : Json("identity");
+    if (std::holds_alternative<InitAuto>(init)) return "auto";
+    if (std::holds_alternative<InitIdentity>(init)) return "identity";
+    Json json;
+    if (const auto* picks = std::get_if<InitPicks>(&init)) json["picks"] = pathText(picks->picks);
+    if (const auto* given = std::get_if<InitPose>(&init)) {
+        json["pose"] = poseJson(given->targetFromSource.pose);
+        json["scale"] = given->targetFromSource.scale;
+    }
+    if (const std::string to = referenceOf(init); !to.empty()) json["to"] = to;
+    return json;
 }
 
 std::filesystem::path readPath(const JsonCursor& cursor, const std::filesystem::path& folder) {
@@ -29,15 +35,19 @@ InitialPoseSpec readInit(const JsonCursor& init, const Layer& layer, const std::
         init.reject("'" + init.text() + "' is no first pose", forms);
     }
     if (!init.isObject()) init.reject("this is no first pose", forms);
-    init.warnOfOthers({"picks", "pose", "scale"});
+    init.warnOfOthers({"picks", "pose", "scale", "to"});
+    const auto other = init.find("to");
+    const std::string to = other ? other->name() : std::string();
+    if (to == layer.id)
+        other->reject("the first pose of '" + to + "' leads to itself", "expected another layer");
     if (const auto picks = init.find("picks")) {
         if (init.find("pose")) init.reject("there are both picks and a pose here", forms);
-        return InitPicks{readPath(*picks, folder)};
+        return InitPicks{readPath(*picks, folder), to};
     }
     const auto pose = init.find("pose");
     if (!pose) init.reject("there are neither picks nor a pose here", forms);
     const auto scale = init.find("scale");
-    return InitPose{{readPose(*pose), scale ? scale->realAbove0() : layer.metresPerUnit()}};
+    return InitPose{{readPose(*pose), scale ? scale->realAbove0() : layer.metresPerUnit()}, to};
 }
 
 std::optional<LengthUnit> readUnit(const JsonCursor& cursor) {

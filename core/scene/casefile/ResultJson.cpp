@@ -98,6 +98,7 @@ nlohmann::ordered_json resultJson(const RegistrationResult& result) {
         {"candidates", std::move(candidates)},
         {"initial", {{"pose", poseJson(result.initial.pose)}, {"scale", result.initial.scale}}}};
     if (result.quality) json["quality"] = qualityJson(*result.quality);
+    if (!result.via.empty()) json["via"] = result.via;
     return json;
 }
 
@@ -136,6 +137,8 @@ RegistrationResult readResult(const JsonCursor& cursor) {
             result.candidates.push_back({readSimilarity(one), number(one, "score")});
     if (const auto quality = cursor.find("quality")) result.quality = readQuality(*quality);
     if (const auto initial = cursor.find("initial")) result.initial = readSimilarity(*initial);
+    if (const auto via = cursor.find("via"))
+        for (const auto& layer : via->elements()) result.via.push_back(layer.name());
     return result;
 }
 
