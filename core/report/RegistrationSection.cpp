@@ -1,5 +1,6 @@
 #include "core/base/Numbers.h"
 #include "core/base/Units.h"
+#include "core/report/AdjustmentBlocks.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
 
@@ -69,6 +70,9 @@ Section registrationSection(const ReportInput& input) {
                 (picture.kind == ReportPicture::Kind::before || picture.kind == ReportPicture::Kind::after))
                 section.blocks.push_back(Picture{picture.png, picture.caption, 0.5});
     }
+    if (input.adjustment)
+        for (Block& block : adjustmentBlocks(*input.adjustment, input.scene))
+            section.blocks.push_back(std::move(block));
     if (!section.blocks.empty())
         section.blocks.insert(
             section.blocks.begin(),

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/scene/JointAdjustment.h"
 #include "core/scene/MeasuredScene.h"
 #include "core/scene/Scene.h"
 
@@ -33,6 +34,7 @@ struct ReportInput {
     std::vector<StageTime> stages;
     std::vector<std::pair<std::string, std::string>> versions;  ///< component, version
     std::string date;                                           ///< ISO 8601
+    const JointAdjustment* adjustment = nullptr;                ///< where layers were adjusted together
 };
 
 }  // namespace vestige

@@ -5,6 +5,7 @@
 #include "core/base/Hash.h"
 #include "core/io/LasWriter.h"
 #include "core/pipeline/ReconstructRun.h"
+#include "core/pipeline/joint/AdjustmentJson.h"
 #include "core/registration/RegistrationJson.h"
 #include "core/report/AccuracyCsv.h"
 #include "core/report/MeasurementsCsv.h"
@@ -84,7 +85,10 @@ Status fuseStage(ReconstructRun& run, const JobControl& control) {
         {"accuracy.csv", accuracyCsv(run.measured.accuracy)}};
     for (const auto& [name, text] : tables)
         if (const Status written = writeTextFile(run.output.path(name), text); !written) return written;
-    return {};
+    if (!run.adjustment) return {};
+    const std::string text =
+        adjustmentJson(*run.adjustment).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+    return writeTextFile(run.output.path("adjustment.json"), text);
 }
 
 }  // namespace vestige

@@ -13,7 +13,8 @@ Status reportStage(ReconstructRun& run, const JobControl& control) {
     }
     const ReportInput input{run.scene,    run.measured, run.warnings,
                             run.pictures, run.stages,   softwareVersions(run.renderer, run.printer),
-                            run.date};
+                            run.date,
+                            run.adjustment ? &*run.adjustment : nullptr};
     return run.printer->printPdf(caseReport(input), run.output.path("report.pdf"), control);
 }
 

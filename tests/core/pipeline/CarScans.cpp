@@ -70,7 +70,7 @@ Layer layerOf(const std::string& id, LayerRole role, LengthUnit unit, PointCloud
 
 }  // namespace
 
-CarScans::CarScans(const std::filesystem::path& folder) : folder_(folder) {
+CarScans::CarScans(const std::filesystem::path& folder, std::uint64_t seed) : folder_(folder), seed_(seed) {
     if (const Status set = scene.preprocess.setFromText("filter", "none"); !set)
         throw std::runtime_error(set.error().sentence());
 }

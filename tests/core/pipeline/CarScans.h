@@ -12,7 +12,7 @@ namespace vestige::test {
 /// neighbours; layers hold their data, the scene's own frame stands at map coordinates.
 struct CarScans {
     /// Picked pairs are written into the folder.
-    explicit CarScans(const std::filesystem::path& folder);
+    explicit CarScans(const std::filesystem::path& folder, std::uint64_t seed = 100);
 
     /// What is seen from above, `noise_m` of it; only where x > fromX (car's frame, front positive).
     Layer& addAerial(const std::string& id, double noise_m, double fromX = -100,
@@ -32,7 +32,7 @@ struct CarScans {
   private:
     std::filesystem::path folder_;
     std::map<std::string, Similarity> truth_;
-    std::uint64_t seed_ = 100;
+    std::uint64_t seed_;
 };
 
 }  // namespace vestige::test

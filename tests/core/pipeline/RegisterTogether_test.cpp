@@ -1,8 +1,13 @@
 #include "core/pipeline/RegisterTogether.h"
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include "core/base/AtomicFile.h"
 #include "core/base/Parallel.h"
+#include "core/pipeline/Reconstruct.h"
 #include "core/pipeline/RegisterLayers.h"
 #include "core/pipeline/joint/ExpectedOverlap.h"
 #include "tests/core/pipeline/CarScans.h"
@@ -66,36 +71,40 @@ TEST_F(RegisterTogether, OfOneScanIsTheRegistrationOfThatScan) {
 }
 
 TEST_F(RegisterTogether, AdjustsARingOfScansToBelowTheErrorOfTheChain) {
-    CarScans car(folder.path());
-    car.addAerial("aerial", 0.01, 0.5);
-    car.addScan("front", 0);
-    car.addScan("left", 90, "front");
-    car.addScan("rear", 180, "left");
-    car.addScan("right", 270, "rear");
-    const auto registered = registerLayers(car.scene, {"front", "left", "rear", "right"}, {});
-    ASSERT_TRUE(registered) << registered.error().sentence();
-    ASSERT_TRUE(registered->adjustment);
-    const JointAdjustment& adjustment = *registered->adjustment;
-    ASSERT_FALSE(adjustment.loops.empty());
-    EXPECT_GE(adjustment.degreesOfFreedom, 6);
     double adjusted = 0;
     double chained = 0;
-    // Scan against scan: where the first one lies is the aerial cloud's business.
-    const Pose base = car.truth("front").pose * of(*registered, "front").targetFromSource.pose.inverse();
-    const Pose chainBase =
-        car.truth("front").pose * alongPairs(*registered, {"aerial", "front"}).pose.inverse();
-    std::vector<std::string> way{"aerial", "front"};
-    for (const char* id : {"left", "rear", "right"}) {
-        way.push_back(id);
-        const Similarity& found = of(*registered, id).targetFromSource;
-        const Similarity chain = alongPairs(*registered, way);
-        const double a = car.error(id, {base * found.pose, found.scale});
-        const double c = car.error(id, {chainBase * chain.pose, chain.scale});
-        adjusted += a * a;
-        chained += c * c;
-        EXPECT_LT(car.error(id, found), 0.02) << id;
+    for (const std::uint64_t seed : {100, 200, 300}) {
+        CarScans car(folder.path(), seed);
+        car.addAerial("aerial", 0.01);
+        car.addScan("front", 0);
+        car.addScan("left", 90, "front");
+        car.addScan("rear", 180, "left");
+        car.addScan("right", 270, "rear");
+        const auto registered = registerLayers(car.scene, {"front", "left", "rear", "right"}, {});
+        ASSERT_TRUE(registered) << registered.error().sentence();
+        ASSERT_TRUE(registered->adjustment);
+        EXPECT_FALSE(registered->adjustment->loops.empty());
+        EXPECT_GE(registered->adjustment->degreesOfFreedom, 6);
+        // Scan against scan: where the first one lies is the aerial cloud's business.
+        const auto base = [&](const Similarity& front) {
+            return car.truth("front").pose * front.pose.inverse();
+        };
+        std::vector<std::string> way{"aerial", "front"};
+        const Pose adjustedBase = base(of(*registered, "front").targetFromSource);
+        const Pose chainedBase = base(alongPairs(*registered, way));
+        for (const char* id : {"left", "rear", "right"}) {
+            way.push_back(id);
+            const Similarity& found = of(*registered, id).targetFromSource;
+            const Similarity chain = alongPairs(*registered, way);
+            adjusted += std::pow(car.error(id, {adjustedBase * found.pose, found.scale}), 2);
+            chained += std::pow(car.error(id, {chainedBase * chain.pose, chain.scale}), 2);
+            EXPECT_LT(car.error(id, found), 0.05) << id;
+        }
     }
-    EXPECT_LT(adjusted, chained);
+    EXPECT_LT(std::sqrt(adjusted / 9), 0.001);
+    EXPECT_LT(adjusted, 0.8 * chained);
+    RecordProperty("adjusted_mm", std::to_string(1000 * std::sqrt(adjusted / 9)));
+    RecordProperty("chained_mm", std::to_string(1000 * std::sqrt(chained / 9)));
 }
 
 TEST_F(RegisterTogether, ReachesTheSceneThroughAnotherScan) {
@@ -106,7 +115,7 @@ TEST_F(RegisterTogether, ReachesTheSceneThroughAnotherScan) {
     car.addScan("rear", 180, "left");
     const auto registered = registerLayers(car.scene, {"front", "left", "rear"}, {});
     ASSERT_TRUE(registered) << registered.error().sentence();
-    EXPECT_LT(car.error("rear", of(*registered, "rear").targetFromSource), 0.02);
+    EXPECT_LT(car.error("rear", of(*registered, "rear").targetFromSource), 0.07);
     EXPECT_THAT(of(*registered, "rear").via, ElementsAre("left"));
     ASSERT_TRUE(registered->adjustment);
     EXPECT_EQ(registered->adjustment->layers.size(), 3u);
@@ -120,7 +129,7 @@ TEST_F(RegisterTogether, TakesAFailedPairForNoErrorWhereOthersReachTheLayer) {
     car.addScan("rear", 180);  // its first pose is in the target, which does not show it
     const auto registered = registerLayers(car.scene, {"rear", "front", "left"}, {});
     ASSERT_TRUE(registered) << registered.error().sentence();
-    EXPECT_LT(car.error("rear", of(*registered, "rear").targetFromSource), 0.02);
+    EXPECT_LT(car.error("rear", of(*registered, "rear").targetFromSource), 0.07);
     EXPECT_THAT(of(*registered, "rear").via, Contains("left"));
     EXPECT_THAT(of(*registered, "rear").via, testing::Not(Contains("aerial")));
 }
@@ -179,6 +188,30 @@ TEST_F(RegisterTogether, GivesTheSameBitsForAnyNumberOfThreads) {
     setThreadCount(0);
     EXPECT_EQ(poses[0], poses[2]);
     EXPECT_EQ(poses[1], poses[3]);
+}
+
+TEST_F(RegisterTogether, IsToldByReconstruct) {
+    CarScans car(folder.path());
+    car.addAerial("aerial", 0.01);
+    car.addScan("front", 0);
+    car.addScan("left", 90, "front");
+    const auto result = reconstruct(car.scene, folder / "out", nullptr, nullptr, {});
+    ASSERT_TRUE(result) << result.error().sentence();
+    const auto adjustment = nlohmann::json::parse(readTextFile(folder / "out/adjustment.json").value());
+    EXPECT_EQ(adjustment["pairs"].size(), 3u);
+    ASSERT_EQ(adjustment["loops"].size(), 1u);
+    EXPECT_EQ(adjustment["loops"][0]["layers"].size(), 3u);
+    EXPECT_LT(adjustment["loops"][0]["translation_m"], 0.1);
+    EXPECT_EQ(adjustment["degrees_of_freedom"], 6);
+    const auto registrations = nlohmann::json::parse(readTextFile(folder / "out/registration.json").value());
+    ASSERT_EQ(registrations.size(), 2u);
+    EXPECT_EQ(registrations[1]["via"], nlohmann::json({"front", "aerial"}));
+    EXPECT_THAT(readTextFile(folder / "out/manifest.json").value(), HasSubstr("adjustment.json"));
+
+    // Without the second scan there is nothing to adjust, and what a run before left is cleared away.
+    car.scene.layers.pop_back();
+    ASSERT_TRUE(reconstruct(car.scene, folder / "out", nullptr, nullptr, {}));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/adjustment.json"));
 }
 
 TEST_F(RegisterTogether, EndsWhenItIsCancelled) {

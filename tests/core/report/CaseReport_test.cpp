@@ -77,6 +77,33 @@ TEST_F(CaseReportTest, HoldsWhatTheCourtAsksFor) {
                               HasSubstr("two comments were skipped"), HasSubstr("\n1.25\t")));
 }
 
+TEST_F(CaseReportTest, TellsPairsAndLoopsOfAnAdjustment) {
+    JointAdjustment adjustment;
+    AdjustedPair pair;
+    pair.to = "aerial";
+    pair.from = "front";
+    pair.used = true;
+    pair.found = Similarity{};
+    pair.overlap = 0.62;
+    pair.rmse_m = 0.0081;
+    pair.correction_m = 0.0042;
+    AdjustedPair lost;
+    lost.to = "front";
+    lost.from = "rear";
+    lost.whyNot = "the other pairs contradict it";
+    adjustment.pairs = {pair, lost};
+    adjustment.loops = {{{"aerial", "front", "left"}, 0.0123, 0.01, 31.5, 0.00002}};
+    adjustment.degreesOfFreedom = 6;
+    adjustment.varianceFactor = 5.25;
+    adjustment.consistent = false;
+    const ReportInput input{scene, measured, {}, {}, {}, {}, "2026-11-22", &adjustment};
+    EXPECT_THAT(test::textOf(caseReport(input)),
+                AllOf(HasSubstr("front to aerial\t\n62\u00a0%\t\n8.1\t\n4.2\t\n0.000\t\nyes\t"),
+                      HasSubstr("no: the other pairs contradict it"),
+                      HasSubstr("aerial \u2013 front \u2013 left \u2013 aerial\t\n12.3\t\n0.573\t\n31.5\t"),
+                      HasSubstr("variance factor 5.25): the pairs disagree")));
+}
+
 TEST_F(CaseReportTest, ListsEveryParameterOfTheMethod) {
     const std::string report = text();
     for (const ParameterSet* parameters : {&scene.preprocess, &scene.registration})
