@@ -64,7 +64,7 @@ void Adjusting::adjust() {
     std::vector<bool> allowed(graph.edges.size(), true);
     std::vector<std::string> whyNot(graph.edges.size());
     for (;;) {
-        adjusted_ = adjustGraph(graph, {kFalseAlarm}, allowed);
+        adjusted_ = adjustGraph(graph, {kFalseAlarm, kDoubtfulClosure_m, kDoubtfulTurn_rad}, allowed);
         std::size_t weakest = graph.edges.size();
         for (const LoopError& loop : adjusted_.loops) {
             const bool wrong = loop.translation_m > kWrongClosure_m || loop.rotation_rad > kWrongTurn_rad;

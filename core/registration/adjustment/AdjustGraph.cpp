@@ -64,8 +64,24 @@ struct Outliers {
     bool certain = true;     ///< leaving out no other edges does nearly as well
 };
 
+/// Whether every one of the edges is off by enough where the others alone place its nodes.
+bool farOff(const PoseGraph& graph, const std::vector<bool>& used, const std::vector<std::size_t>& edges,
+            const AdjustmentOptions& options) {
+    std::vector<bool> others = used;
+    for (const std::size_t e : edges) others[e] = false;
+    const FittedPoses rest = fitPoses(graph, others);
+    return std::all_of(edges.begin(), edges.end(), [&](std::size_t e) {
+        const PoseEdge& edge = graph.edges[e];
+        const Vector6d off = edgeResidual(edge, *rest.poses[edge.to], *rest.poses[edge.from],
+                                          Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero())
+                                 .value;
+        return off.head<3>().norm() >= options.leastWrong_m || off.tail<3>().norm() >= options.leastWrong_rad;
+    });
+}
+
 Outliers outliers(const PoseGraph& graph, const std::vector<bool>& used, const FittedPoses& fit,
-                  double falseAlarm) {
+                  const AdjustmentOptions& options) {
+    const double falseAlarm = options.falseAlarm;
     if (fit.degrees == 0 || chiSquareTail(fit.chiSquare, fit.degrees) > falseAlarm) return {};
     // Two wrong edges hide each other from a search for one.
     for (const int count : {1, 2}) {
@@ -77,7 +93,7 @@ Outliers outliers(const PoseGraph& graph, const std::vector<bool>& used, const F
         Outliers found{best.without,
                        probabilityOf(fit.chiSquare - best.chiSquare, 6 * count, best.chiSquare, degrees),
                        true};
-        if (found.probability > falseAlarm) continue;
+        if (found.probability > falseAlarm || !farOff(graph, used, best.without, options)) continue;
         for (std::size_t i = 1; i < trials.size(); ++i) {
             const double worse = trials[i].chiSquare - best.chiSquare;
             if (degrees > 0 && probabilityOf(worse, 6, best.chiSquare, degrees) <= falseAlarm) break;
@@ -106,7 +122,7 @@ AdjustedGraph adjustGraph(const PoseGraph& graph, const AdjustmentOptions& optio
     }
     adjusted.fit = fitPoses(graph, used);
     for (;;) {
-        Outliers found = outliers(graph, used, adjusted.fit, options.falseAlarm);
+        Outliers found = outliers(graph, used, adjusted.fit, options);
         if (!found.certain) adjusted.suspects = std::move(found.edges);
         if (!found.certain || found.edges.empty()) break;
         for (const std::size_t e : found.edges) {

@@ -11,6 +11,10 @@ namespace vestige {
 struct AdjustmentOptions {
     /// Probability with which a right edge, or a right set of edges, is taken for a wrong one.
     double falseAlarm = 0.001;
+    /// An edge that is nearer than both to where the others put it is no wrong one; its covariance is too
+    /// small.
+    double leastWrong_m = 0;
+    double leastWrong_rad = 0;
 };
 
 /// What became of one edge.

@@ -71,8 +71,12 @@ Layer layerOf(const std::string& id, LayerRole role, LengthUnit unit, PointCloud
 }  // namespace
 
 CarScans::CarScans(const std::filesystem::path& folder, std::uint64_t seed) : folder_(folder), seed_(seed) {
-    if (const Status set = scene.preprocess.setFromText("filter", "none"); !set)
-        throw std::runtime_error(set.error().sentence());
+    const auto check = [](const Status& set) {
+        if (!set) throw std::runtime_error(set.error().sentence());
+    };
+    check(scene.preprocess.setFromText("filter", "none"));
+    check(scene.registration.setFromText("voxel_m", "0.2"));
+    check(scene.registration.setFromText("restarts", "0"));
 }
 
 Layer& CarScans::addAerial(const std::string& id, double noise_m, double fromX, const Pose& off) {

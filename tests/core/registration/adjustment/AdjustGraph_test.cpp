@@ -99,6 +99,20 @@ TEST(AdjustGraph, TellsCovariancesThatAreTooSmallFromAWrongEdge) {
     EXPECT_LE(rejected, 4);
 }
 
+TEST(AdjustGraph, TakesAnEdgeThatIsNearWhereItShouldBeForTooSureNotForWrong) {
+    Random random(29);
+    SimulatedGraph simulated(random, 5, kRound, kUtm);
+    PoseEdge& edge = simulated.graph.edges[3];
+    edge.toFromFrom = shift(0.015, 0, 0) * edge.toFromFrom;
+    edge.uncertainty.covariance /= 100;
+    EXPECT_FALSE(adjustGraph(simulated.graph).edges[3].used);
+    const AdjustedGraph adjusted = adjustGraph(simulated.graph, {0.001, 0.1, 0.1});
+    EXPECT_TRUE(adjusted.edges[3].used);
+    EXPECT_FALSE(adjusted.consistent);
+    edge.toFromFrom = shift(0.2, 0, 0) * edge.toFromFrom;
+    EXPECT_FALSE(adjustGraph(simulated.graph, {0.001, 0.1, 0.1}).edges[3].used);
+}
+
 TEST(AdjustGraph, RefusesACovarianceThatIsNone) {
     Random random(26);
     SimulatedGraph simulated(random, 3, {{0, 1}, {0, 2}, {1, 2}}, kUtm);
