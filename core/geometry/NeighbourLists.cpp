@@ -59,7 +59,9 @@ class LaneGroup {
         const __m256 limit = _mm256_load_ps(rows_.back().values.data());
         std::array<AlignedRow, kLeaf> squared;
         std::uint32_t near = 0;
-        for (std::size_t place = 0; place < kLeaf; ++place) {
+        // First those that are near enough to the box round the eight, many at a time.
+        for (std::uint32_t places = nearBox(leaf); places != 0; places &= places - 1) {
+            const auto place = static_cast<std::size_t>(std::countr_zero(places));
             const __m256 dx = _mm256_sub_ps(_mm256_broadcast_ss(&leaf.axes[0][place]), x);
             const __m256 dy = _mm256_sub_ps(_mm256_broadcast_ss(&leaf.axes[1][place]), y);
             const __m256 dz = _mm256_sub_ps(_mm256_broadcast_ss(&leaf.axes[2][place]), z);
@@ -80,6 +82,26 @@ class LaneGroup {
     }
 
   private:
+    /// The places of the leaf's points whose distance from the box is less than what is to be beaten: a bit
+    /// each.
+    std::uint32_t nearBox(const NeighbourIndex::Leaf& leaf) const {
+        std::uint32_t places = 0;
+        for (std::size_t at = 0; at < kLeaf; at += kLanes) {
+            __m256 sum{};
+#pragma GCC unroll 3
+            for (int axis = 0; axis < 3; ++axis) {
+                const __m256 value = _mm256_load_ps(leaf.axes[static_cast<std::size_t>(axis)].data() + at);
+                const __m256 below = _mm256_sub_ps(_mm256_set1_ps(box_.min[axis]), value);
+                const __m256 above = _mm256_sub_ps(value, _mm256_set1_ps(box_.max[axis]));
+                const __m256 gap = _mm256_max_ps(_mm256_max_ps(below, above), _mm256_setzero_ps());
+                sum = _mm256_add_ps(sum, _mm256_mul_ps(gap, gap));
+            }
+            const __m256 nearer = _mm256_cmp_ps(sum, _mm256_set1_ps(farthest_), _CMP_LT_OQ);
+            places |= static_cast<std::uint32_t>(_mm256_movemask_ps(nearer)) << at;
+        }
+        return places;
+    }
+
     /// Each row becomes the middle one of its own, the one below and the new value: no row waits for another,
     /// and stopping early would cost more in branches than the rows do.
     void insert(__m256 value) {

@@ -4,9 +4,11 @@
 // The table of docs/benchmarks.md comes last.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 #include "core/base/Parallel.h"
@@ -86,6 +88,14 @@ void addVoxels(const std::string& cloud, const std::shared_ptr<Held>& held, doub
     add(row, "PCL, xyz only", 1, points, pcl, [=] { return held->pcl().voxelGrid(single, false); });
 }
 
+OutlierOptions outlierOptions() {
+    OutlierOptions options;
+    options.method = OutlierMethod::statistical;
+    options.neighbours = kNeighbours;
+    options.sigmas = kSigmas;
+    return options;
+}
+
 void addOutliers(const std::string& cloud, const std::shared_ptr<Held>& held) {
     const std::string row = "outliers k = " + std::to_string(kNeighbours) + ", " + cloud;
     const std::size_t points = held->ours().size();
@@ -128,6 +138,25 @@ void addNeighbourhood(const std::string& cloud, const std::shared_ptr<Held>& hel
         [=] { return static_cast<std::size_t>(held->pcl().meanFilter(static_cast<float>(radius))); });
 }
 
+/// How many points only one of the two programs keeps.
+std::string agreement(const std::string& cloud, Held& held) {
+    std::vector<float> numbers(held.ours().size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<float>(i);
+    PointAttributes numbered;
+    numbered.intensity = numbers;
+    const auto ours = removeOutliers(held.ours().withAttributes(std::move(numbered)), outlierOptions());
+    std::vector<std::int32_t> kept;
+    for (const float number : ours->attributes().intensity) kept.push_back(static_cast<std::int32_t>(number));
+    std::vector<std::int32_t> theirs = held.pcl().statistical(kNeighbours, kSigmas);
+    std::sort(theirs.begin(), theirs.end());
+    std::vector<std::int32_t> differing;
+    std::set_symmetric_difference(kept.begin(), kept.end(), theirs.begin(), theirs.end(),
+                                  std::back_inserter(differing));
+    return "outliers, " + cloud + ": " + std::to_string(kept.size()) + " of " +
+           std::to_string(numbers.size()) + " points kept, " + std::to_string(differing.size()) +
+           " kept by only one of Vestige and PCL\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -143,6 +172,7 @@ int main(int argc, char** argv) {
     char interleaved[] = "--benchmark_enable_random_interleaving=true";
     arguments.push_back(interleaved);
     if (chosen.empty()) chosen = {"room", "tripod x10", "tripod", "street"};
+    std::string agreements;
     for (const std::string& name : chosen) {
         auto cloud = filterCloud(name);
         if (!cloud) {
@@ -155,6 +185,7 @@ int main(int argc, char** argv) {
             addVoxels(name, held, 0.05);
         } else {
             addOutliers(name, held);
+            agreements += agreement(name, *held);
         }
         if (name == "street") addNeighbourhood(name, held, 0.3);
     }
@@ -163,5 +194,6 @@ int main(int argc, char** argv) {
     Scoreboard board("PCL");
     benchmark::RunSpecifiedBenchmarks(&board);
     board.writeTable(std::cout);
+    std::cout << '\n' << agreements;
     return 0;
 }
