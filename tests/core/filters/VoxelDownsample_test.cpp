@@ -75,8 +75,53 @@ TEST(VoxelDownsample, OnePointInEveryVoxelThatHoldsPointsAndNoOther) {
     }
 }
 
+TEST(VoxelDownsample, ManyChunksOfAFarCloudAreThoseOfAMap) {
+    // Over two chunks of 65 536 points, and so far from the origin that offsets need residuals.
+    const Eigen::Vector3d origin(483000, 4375000, 0);
+    auto points = roughScene(150000, {483700, 4375661, 35});
+    points.emplace_back(dyadic({482500, 4375001, 30}));
+    PointCloudBuilder builder(origin);
+    for (const Eigen::Vector3d& point : points) {
+        builder.attributes().intensity.push_back(static_cast<float>(builder.size()));
+        builder.add(point);
+    }
+    const PointCloud cloud = std::move(builder).build();
+    ASSERT_FALSE(cloud.residuals().empty());
+    const double size = 0.5;
+    const auto voxels = voxelsOf(points, size);
+    setThreadCount(2);
+    const auto bare = downsample(cloud.withAttributes({}), size);
+    const auto averaged = downsample(cloud, size);
+    const auto nearest = downsample(cloud, size, VoxelRepresentative::nearest);
+    setThreadCount(0);
+    ASSERT_TRUE(bare && averaged && nearest);
+    ASSERT_EQ(bare->size(), voxels.size());
+    ASSERT_EQ(nearest->size(), voxels.size());
+    EXPECT_FALSE(bare->residuals().empty());
+    std::size_t i = 0;
+    for (const auto& [voxel, members] : voxels) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        double indices = 0;
+        for (const std::size_t member : members) {
+            sum += points[member] - points[members.front()];
+            indices += static_cast<double>(member);
+        }
+        const auto count = static_cast<double>(members.size());
+        const Eigen::Vector3d mean = points[members.front()] + sum / count;
+        ASSERT_LT((bare->point(i) - mean).norm(), 1e-7);
+        ASSERT_EQ(averaged->point(i), bare->point(i));
+        ASSERT_NEAR(static_cast<double>(averaged->attributes().intensity[i]), indices / count, 0.01);
+        double least = 1e9;
+        for (const std::size_t member : members) least = std::min(least, (points[member] - mean).norm());
+        ASSERT_NEAR((nearest->point(i) - mean).norm(), least, 1e-8);
+        const auto chosen = static_cast<std::size_t>(nearest->attributes().intensity[i]);
+        ASSERT_EQ(nearest->point(i), points[chosen]);
+        ++i;
+    }
+}
+
 TEST(VoxelDownsample, IsTheSameForAnyThreadsOriginAndOrder) {
-    auto points = roughScene(60000, {483400, 4375661, 35});
+    auto points = roughScene(140000, {483400, 4375661, 35});
     setThreadCount(1);
     const PointCloud cloud = cloudOf(points, {483400, 4375661, 35});
     const auto one = downsample(cloud, 0.2);
