@@ -143,13 +143,18 @@ class LaneGroup {
 
 /// As BoxTree has it.
 inline float squaredDistance(const FloatBox& a, const FloatBox& b) {
-    float sum = 0;
-#pragma GCC unroll 3
-    for (int axis = 0; axis < 3; ++axis) {
-        const float gap = std::max(std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]), 0.0F);
-        sum += gap * gap;
-    }
-    return sum;
+    // min.x min.y min.z max.x | min.z max.x max.y max.z
+    static_assert(sizeof(FloatBox) == 6 * sizeof(float));
+    const auto minOf = [](const FloatBox& box) { return _mm_loadu_ps(box.min.data()); };
+    const auto maxOf = [](const FloatBox& box) {
+        return _mm_permute_ps(_mm_loadu_ps(box.min.data() + 2), 0b11111001);
+    };
+    const __m128 below = _mm_sub_ps(minOf(a), maxOf(b));
+    const __m128 above = _mm_sub_ps(minOf(b), maxOf(a));
+    const __m128 gap = _mm_max_ps(_mm_max_ps(below, above), _mm_setzero_ps());
+    const __m128 square = _mm_mul_ps(gap, gap);
+    const __m128 level = _mm_add_ss(square, _mm_movehdup_ps(square));
+    return _mm_cvtss_f32(_mm_add_ss(level, _mm_movehl_ps(square, square)));
 }
 
 /// Finds the neighbours of one leaf's points after the other.
