@@ -23,8 +23,12 @@ for part in "${parts[@]}"; do
         accuracy)
             { "$build/bin/$program"; echo; "$build/bin/$program" --points=1000000 --seeds=5; } >"$work/$part.md"
             ;;
-        basin | filters)
+        basin)
             "$build/bin/$program" | tee /dev/stderr | grep '^|' >"$work/$part.md"
+            ;;
+        filters)
+            # The table and, after it, how far outliers agree.
+            "$build/bin/$program" | tee /dev/stderr | sed -n '/^| work/,$p' >"$work/$part.md"
             ;;
         profile)
             # Where the time of improved NDT goes, one thread.

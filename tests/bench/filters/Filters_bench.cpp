@@ -154,7 +154,7 @@ std::string agreement(const std::string& cloud, Held& held) {
                                   std::back_inserter(differing));
     return "outliers, " + cloud + ": " + std::to_string(kept.size()) + " of " +
            std::to_string(numbers.size()) + " points kept, " + std::to_string(differing.size()) +
-           " kept by only one of Vestige and PCL\n";
+           " kept by only one of Vestige and PCL\n\n";
 }
 
 }  // namespace
