@@ -109,7 +109,7 @@ std::string goalsTable(const std::vector<ScanPair>& pairs, const std::vector<Tri
                 if (trial.pair == &pair && trial.threads == 1 && trial.contender.name == goal.contender &&
                     (goal.leaf_m > 0 ? trial.leaf_m == goal.leaf_m : trial.counts))
                     cell = wallRatio(trial, trials) + " (CPU " + cpuRatio(trial, trials) + ")";
-            row += " " + cell + " |";
+            row.append(" ").append(cell).append(" |");
         }
         std::string gain = "refused";
         for (const Trial& trial : trials) {
@@ -118,7 +118,7 @@ std::string goalsTable(const std::vector<ScanPair>& pairs, const std::vector<Tri
             const std::vector<double> gains = ratiosByRound(single->seconds, trial.seconds);
             if (!gains.empty()) gain = printed("%.2f", median(gains));
         }
-        text += row + " " + gain + " |\n";
+        text.append(row).append(" ").append(gain).append(" |\n");
     }
     return text;
 }
