@@ -1,5 +1,7 @@
-// PCL's methods from raw points to the pose. Compiled twice: against the distribution's binaries as they are
-// (PEER_ENTRY vestige_peer_pcl_debian), and with PCL_NO_PRECOMPILE so that every template gets our flags.
+// PCL's methods from raw points to the pose. Compiled three times, the function named by PEER_ENTRY: as a
+// user of the distribution's package compiles it (the method's template here, for any x86-64; kd-tree and
+// voxel grids from the distribution's binaries); with PCL_NO_PRECOMPILE, so that every template gets our
+// flags; and with PEER_FROM_LIBRARY, NDT as the distribution's library holds it.
 #include <pcl/console/print.h>
 #include <pcl/filters/voxel_grid.h>
 #include <pcl/point_cloud.h>
@@ -15,8 +17,7 @@
 using Point = pcl::PointXYZ;
 using Cloud = pcl::PointCloud<Point>;
 
-#ifndef PCL_NO_PRECOMPILE
-// What the distribution's library holds is taken from there, not compiled here.
+#ifdef PEER_FROM_LIBRARY
 extern template class pcl::NormalDistributionsTransform<Point, Point>;
 #endif
 

@@ -41,6 +41,7 @@ struct PeerAnswer {
 // with ours or with another peer.
 extern "C" {
 void vestige_peer_pcl_debian(const vestige::bench::PeerRequest* request, vestige::bench::PeerAnswer* answer);
+void vestige_peer_pcl_library(const vestige::bench::PeerRequest* request, vestige::bench::PeerAnswer* answer);
 void vestige_peer_pcl_avx2(const vestige::bench::PeerRequest* request, vestige::bench::PeerAnswer* answer);
 void vestige_peer_open3d(const vestige::bench::PeerRequest* request, vestige::bench::PeerAnswer* answer);
 }

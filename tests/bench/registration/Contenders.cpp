@@ -68,6 +68,7 @@ std::vector<Contender> contenders(bool large) {
                                ours("our NDT", "ndt"), ours("our ICP", "icp")};
     all.push_back(peer("PCL NDT, Debian", vestige_peer_pcl_debian, PeerMethod::ndt, {1}, cells, 1));
     all.push_back(peer("PCL NDT, AVX2", vestige_peer_pcl_avx2, PeerMethod::ndt, {1}, cells, 1));
+    all.push_back(peer("PCL NDT, Debian's library", vestige_peer_pcl_library, PeerMethod::ndt, {1}, {1}, 1));
     all.push_back(peer("PCL NDT, AVX2, source thinned to half a cell", vestige_peer_pcl_avx2,
                        PeerMethod::ndtThin, {1}, cells, 0));
     all.push_back(peer("PCL NDT chain, Debian", vestige_peer_pcl_debian, PeerMethod::ndtChain, {1}, {0}, 0));

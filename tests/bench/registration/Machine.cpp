@@ -32,8 +32,8 @@ std::string describeMachine() {
          << "- Vestige " << (commit ? commit : "(commit not told)") << "; GCC " << __VERSION__
          << "; ours: `" VESTIGE_BENCH_OUR_FLAGS "`\n"
          << "- PCL " VESTIGE_BENCH_PCL_VERSION
-            ": the distribution's binaries, and the same templates with `" VESTIGE_BENCH_AVX2_FLAGS
-            "`; Eigen "
+            ": compiled with the distribution's binaries for any x86-64 "
+            "(`-O3`), and all its templates with `" VESTIGE_BENCH_AVX2_FLAGS "`; Eigen "
          << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << "\n"
 #ifdef VESTIGE_BENCH_OPEN3D
          << "- Open3D " VESTIGE_BENCH_OPEN3D ", the distribution's binary\n";
