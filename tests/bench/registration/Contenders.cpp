@@ -61,14 +61,16 @@ Contender peer(const std::string& name, PeerEntry entry, PeerMethod peerMethod, 
 
 std::vector<Contender> contenders(bool large) {
     const std::vector<double> cells =
-        large ? std::vector<double>{2, 1, 0.4} : std::vector<double>{2, 1, 0.8, 0.6, 0.4};
+        large ? std::vector<double>{1, 0.4} : std::vector<double>{2, 1, 0.8, 0.6, 0.4};
     const std::vector<double> voxels =
-        large ? std::vector<double>{1, 0.4, 0.2, 0.1} : std::vector<double>{1, 0.8, 0.6, 0.4, 0.2, 0.1};
+        large ? std::vector<double>{1, 0.4, 0.2} : std::vector<double>{1, 0.8, 0.6, 0.4, 0.2, 0.1};
     std::vector<Contender> all{ours("improved NDT", "improved-ndt"), oursWithVerdict(),
                                ours("our NDT", "ndt"), ours("our ICP", "icp")};
     all.push_back(peer("PCL NDT, Debian", vestige_peer_pcl_debian, PeerMethod::ndt, {1}, cells, 1));
     all.push_back(peer("PCL NDT, AVX2", vestige_peer_pcl_avx2, PeerMethod::ndt, {1}, cells, 1));
-    all.push_back(peer("PCL NDT, Debian's library", vestige_peer_pcl_library, PeerMethod::ndt, {1}, {1}, 1));
+    if (!large)
+        all.push_back(
+            peer("PCL NDT, Debian's library", vestige_peer_pcl_library, PeerMethod::ndt, {1}, {1}, 1));
     all.push_back(peer("PCL NDT, AVX2, source thinned to half a cell", vestige_peer_pcl_avx2,
                        PeerMethod::ndtThin, {1}, cells, 0));
     all.push_back(peer("PCL NDT chain, Debian", vestige_peer_pcl_debian, PeerMethod::ndtChain, {1}, {0}, 0));
