@@ -15,6 +15,9 @@ bool withLayers(const Situation& s) {
 bool idleWithLayers(const Situation& s) {
     return !s.busy && s.loadedLayers > 0;
 }
+bool withFit(const Situation& s) {
+    return !s.busy && (s.registered > 0 || s.refused);
+}
 bool whenComparable(const Situation& s) {
     return s.registrable > 0;
 }
@@ -86,6 +89,10 @@ const std::vector<ActionSpec>& actionTable() {
         {"register.freedom", "&Align", "Show fr&ee directions",
          "Arrows along the ways to move that the data do not hold.", "free", "F",
          [](const Situation& s) { return s.registered > 0; }, true},
+        {"register.step-back", "&Align", "Watched iteration bac&k",
+         "Show the layer one iteration earlier in its watched registration.", "", ",", withFit},
+        {"register.step-on", "&Align", "Watched iteration o&n",
+         "Show the layer one iteration later in its watched registration.", "", ".", withFit},
         {"register.preview", "&Align", "&Preview refused pose",
          "Show the layer where a registration put it that cannot be relied on, without moving it.", "", "",
          [](const Situation& s) { return s.refused; }, true, "", true},

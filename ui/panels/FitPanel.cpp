@@ -11,6 +11,7 @@
 #include "ui/document/Attempts.h"
 #include "ui/document/Document.h"
 #include "ui/document/FitTrace.h"
+#include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
 #include "ui/panels/ActionButtons.h"
 #include "ui/panels/FiguresRow.h"
@@ -99,11 +100,16 @@ FitPanel::FitPanel(const Models& models, const ActionCatalog& actions, QWidget* 
         const int place = candidates_->tree().indexOfTopLevelItem(row);
         if (fit.layer && place >= 0) models_.attempts.choose(fit.layer->id, static_cast<std::size_t>(place));
     });
+    // The curves come into sight once the layout knows where they are.
+    wanted_.setSingleShot(true);
+    wanted_.setInterval(0);
+    connect(&wanted_, &QTimer::timeout, this, [this, scroll] { scroll->ensureWidgetVisible(trace_, 0, 0); });
     connect(&models_.document, &Document::changed, this, [this] { fill(); });
     connect(&models_.selection, &Selection::changed, this, [this] { fill(); });
     connect(&models_.attempts, &Attempts::changed, this, [this] { fill(); });
     connect(&models_.trace, &FitTrace::changed, this, [this] {
         if (models_.trace.live()) fill();
+        if (models_.trace.live() || models_.preview.owner() == &models_.trace) wanted_.start();
     });
     fill();
 }

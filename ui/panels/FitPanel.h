@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -16,6 +17,7 @@ class FiguresRow;
 class FitTrace;
 class FitTraceView;
 class PanelSection;
+class Preview;
 class ResidualView;
 class Selection;
 class VerdictBadge;
@@ -33,6 +35,7 @@ class FitPanel : public QWidget {
         Selection& selection;
         Attempts& attempts;
         FitTrace& trace;
+        const Preview& preview;
     };
     FitPanel(const Models& models, const ActionCatalog& actions, QWidget* parent = nullptr);
 
@@ -60,7 +63,7 @@ class FitPanel : public QWidget {
     ResidualView* residuals_;
     QLabel* restarts_;
     FitTraceView* trace_;
-    bool filling_ = false;
+    QTimer wanted_;  ///< the iterations are to be seen
 };
 
 }  // namespace vestige

@@ -52,6 +52,8 @@ RegistrationStrip::RegistrationStrip(Document& document, Selection& selection, A
     row->setContentsMargins(2, 2, 2, 4);
     empty_->setProperty("role", "muted");
     empty_->setContentsMargins(12, 6, 12, 6);
+    // In a narrow window the last figures give way, not the panels beside the view.
+    figures_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     picture_->setContentsMargins(12, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(picture_);
@@ -75,8 +77,7 @@ void RegistrationStrip::fill() {
     const QString onto = target ? QString::fromStdString(target->name) : QString();
     picture_->setPixmap(verdictPicture(result.verdict, 20, devicePixelRatioF()));
     figures_->setFigures(
-        {{verdictWord(result.verdict), tr("%1 on %2").arg(QString::fromStdString(fit.layer->name), onto),
-          verdictColor(result.verdict)},
+        {{verdictWord(result.verdict), QString::fromStdString(fit.layer->name), verdictColor(result.verdict)},
          {QString::fromStdString(fixedText(100 * result.overlap, 0)) + " %", tr("overlap"), {}},
          {distanceText(result.rmse_m), tr("RMS distance"), {}},
          {motionText(result), tr("moved"), {}},

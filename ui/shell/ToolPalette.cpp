@@ -61,6 +61,38 @@ QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentatio
     return button;
 }
 
+/// One button for the ways to compare; pressed while one is on.
+QToolButton* compareButton(const ActionCatalog& actions) {
+    auto* button = new QToolButton;
+    button->setObjectName("compare");
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolTip(QObject::tr("Compare two pictures of the scene: swipe, blink, checkerboard"));
+    button->setIcon(icon("swipe"));
+    button->setCheckable(true);
+    auto* menu = new QMenu(button);
+    const std::vector<const char*> ways{"compare.swipe", "compare.blink", "compare.checkerboard"};
+    const auto follow = [button, ways, &actions] {
+        bool on = false;
+        bool possible = false;
+        for (const char* id : ways) {
+            on = on || actions[id].isChecked();
+            possible = possible || actions[id].isEnabled();
+        }
+        button->setChecked(on);
+        button->setEnabled(possible);
+    };
+    for (const char* id : ways) {
+        menu->addAction(&actions[id]);
+        QObject::connect(&actions[id], &QAction::changed, button, follow);
+    }
+    QObject::connect(menu, &QMenu::aboutToHide, button, follow, Qt::QueuedConnection);
+    menu->addSeparator();
+    for (const char* id : {"compare.poses", "compare.layers"}) menu->addAction(&actions[id]);
+    button->setMenu(menu);
+    follow();
+    return button;
+}
+
 }  // namespace
 
 ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentation, QWidget* parent)
@@ -74,8 +106,7 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->addWidget(gap());
     row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));
-    for (const char* id : {"compare.swipe", "compare.blink", "compare.checkerboard"})
-        row->addWidget(buttonFor(actions[id], Qt::ToolButtonIconOnly));
+    row->addWidget(compareButton(actions));
     row->addWidget(gap());
     row->addWidget(colorButton(actions, presentation));
     row->addWidget(buttonFor(actions["view.smaller-points"], Qt::ToolButtonIconOnly));

@@ -106,7 +106,8 @@ QWidget* WorkArea::makeRight() {
     tabs->addTab(new AlignPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions),
                  tr("Align"));
     tabs->addTab(
-        new FitPanel({bench_.document, bench_.selection, bench_.attempts, bench_.trace}, bench_.actions),
+        new FitPanel({bench_.document, bench_.selection, bench_.attempts, bench_.trace, bench_.preview},
+                     bench_.actions),
         tr("Fit"));
     tabs->setMinimumWidth(340);
     for (const auto& [id, index] : {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),

@@ -60,7 +60,7 @@ struct Panel {
     Attempts attempts{document, preview};
     FitTrace trace{document, preview};
     ActionCatalog actions{&window};
-    FitPanel panel{{document, selection, attempts, trace}, actions};
+    FitPanel panel{{document, selection, attempts, trace, preview}, actions};
 
     Panel() {
         for (const char* id : {"road", "scan"}) {

@@ -103,6 +103,11 @@ TEST_F(FitWindow, AWatchedRegistrationMovesInTheViewAndIsReplayed) {
     ASSERT_TRUE(driver->trigger("compare.end"));
     EXPECT_LT((shown(1).worldFromLayer.pose.matrix() - result.targetFromSource.pose.matrix()).norm(), 1e-12);
     EXPECT_FALSE(driver->enabled("compare.end"));
+    key(Qt::Key_Comma);
+    key(Qt::Key_Comma);
+    EXPECT_EQ(slider.value(), slider.maximum() - 2);
+    key(Qt::Key_Period);
+    EXPECT_EQ(slider.value(), slider.maximum() - 1);
     QTest::mouseClick(&widget<QWidget>("fit-replay"), Qt::LeftButton);
     EXPECT_EQ(slider.value(), 0);
     for (int i = 0; i < 400 && slider.value() < slider.maximum(); ++i) QTest::qWait(20);

@@ -61,6 +61,8 @@ RegistrationReactions::RegistrationReactions(const Workbench& bench, QObject* pa
     actions.onTriggered("register.run", [this] { registerLayers(); });
     actions.onTriggered("register.auto", [this] { registerLayers(InitAuto()); });
     actions.onTriggered("register.use-candidate", [this] { useCandidate(); });
+    actions.onTriggered("register.step-back", [this] { stepReplay(-1); });
+    actions.onTriggered("register.step-on", [this] { stepReplay(1); });
     actions.onToggled("register.preview", [this](bool on) {
         bench_.attempts.showPreview(described(), on);
         follow();
@@ -76,6 +78,14 @@ RegistrationReactions::RegistrationReactions(const Workbench& bench, QObject* pa
 std::string RegistrationReactions::described() const {
     const ShownFit fit = shownFit(bench_.document, bench_.selection, bench_.attempts);
     return fit.layer ? fit.layer->id : std::string();
+}
+
+void RegistrationReactions::stepReplay(int direction) {
+    const std::string layer = described();
+    const std::size_t count = bench_.trace.steps(layer).size();
+    if (count == 0) return bench_.notices.inform(tr("Its iterations were not watched (W)."));
+    const std::size_t now = bench_.trace.cursor(layer).value_or(count - 1);
+    if (direction > 0 || now > 0) bench_.trace.replay(layer, now + direction);
 }
 
 void RegistrationReactions::follow() {

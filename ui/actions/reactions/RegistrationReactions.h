@@ -31,6 +31,8 @@ class RegistrationReactions : public QObject {
     std::vector<std::string> layersToRegister() const;
     std::string described() const;
     void follow();
+    /// The iteration before or after the one shown.
+    void stepReplay(int direction);
     void run(const std::vector<std::string>& layers, const std::optional<InitialPoseSpec>& start);
     /// Enters or keeps a result; a sentence for the user unless all is well.
     QString take(const std::string& id, Result<RegistrationResult> result,
