@@ -7,6 +7,7 @@
 #include "core/pipeline/LoadLayers.h"
 #include "core/pipeline/MeasurementMarks.h"
 #include "core/pipeline/RegisterLayers.h"
+#include "core/pipeline/RegisterTogether.h"
 #include "core/pipeline/ResolveAims.h"
 #include "core/pipeline/TargetDistances.h"
 #include "core/scene/CaseFile.h"
@@ -56,18 +57,26 @@ Status load(SceneState& scene, const JobControl& control) {
 /// A layer that cannot be registered ends an overlay that compares layers (`must`); else it is told and left
 /// out.
 Status registerWhatLacks(SceneState& scene, bool must, const Session& session, const JobControl& control) {
-    for (Layer& layer : scene.layers) {
-        if (layer.registration || !needsRegistration(scene, layer)) continue;
-        auto result = registerLayer(scene, layer.id, control);
-        if (!result) {
-            if (must || result.error().code == ErrorCode::cancelled) return fail(result.error());
-            session.log("warning: " + result.error().sentence());
+    std::vector<std::string> open;
+    for (const Layer& layer : scene.layers)
+        if (!layer.registration && needsRegistration(scene, layer)) open.push_back(layer.id);
+    auto attempted = attemptLayers(scene, open, control);
+    if (!attempted) {
+        if (must || attempted.error().code == ErrorCode::cancelled) return fail(attempted.error());
+        session.log("warning: " + attempted.error().sentence());
+        return {};
+    }
+    for (AttemptedLayer& one : attempted->layers) {
+        if (one.failure) {
+            if (must) return fail(*one.failure);
+            session.log("warning: " + one.failure->sentence());
             continue;
         }
-        for (const std::string& note : result->notes) session.log(layer.id + ": " + note);
+        Layer& layer = *scene.layer(one.id);
+        for (const std::string& note : one.result->notes) session.log(layer.id + ": " + note);
         if (!layer.unit)
-            layer.unit = result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
-        setRegistration(layer.id, std::move(*result))->apply(scene);
+            layer.unit = one.result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
+        setRegistration(one.id, std::move(*one.result))->apply(scene);
     }
     return {};
 }

@@ -22,16 +22,32 @@ PreparedLayers prepareLayers(const SceneState& scene, const std::vector<std::str
 }
 
 Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vector<std::string>& ids,
-                                        PreparedLayers prepared, const JobControl& control,
-                                        const RegistrationWatch& watch) {
-    const auto paired = pairLayers(scene, ids, std::move(prepared), control, watch);
+                                        PreparedLayers prepared, const JobControl& control) {
+    auto paired = pairLayers(scene, ids, std::move(prepared), control, {});
     if (!paired) return fail(paired.error());
-    return adjustLayers(scene, *paired);
+    for (const Member& member : paired->members)
+        if (member.failure && member.failure->code != ErrorCode::untrustworthy) return fail(*member.failure);
+    auto attempted = adjustLayers(scene, *paired);
+    if (!attempted) return fail(attempted.error());
+    RegisteredLayers registered;
+    for (AttemptedLayer& layer : attempted->layers) {
+        if (layer.failure) return fail(*layer.failure);
+        registered.layers.emplace_back(layer.id, std::move(*layer.result));
+    }
+    registered.adjustment = std::move(attempted->adjustment);
+    return registered;
 }
 
 Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vector<std::string>& ids,
-                                        const JobControl& control, const RegistrationWatch& watch) {
-    return registerLayers(scene, ids, {}, control, watch);
+                                        const JobControl& control) {
+    return registerLayers(scene, ids, {}, control);
+}
+
+Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,
+                                      const JobControl& control, const LayerWatches& watches) {
+    const auto paired = pairLayers(scene, ids, {}, control, watches);
+    if (!paired) return fail(paired.error());
+    return adjustLayers(scene, *paired);
 }
 
 }  // namespace vestige

@@ -25,6 +25,22 @@ struct RegisteredLayers {
     std::optional<JointAdjustment> adjustment;
 };
 
+/// One layer of attemptLayers().
+struct AttemptedLayer {
+    std::string id;
+    /// A pose that can be relied on; or what the registration from the first pose found, with the verdict and
+    /// the reasons; or why there is none.
+    Result<RegistrationResult> result;
+    std::optional<Error> failure;  ///< of a layer that no pair reaches
+};
+struct AttemptedLayers {
+    std::vector<AttemptedLayer> layers;  ///< in the order of the case
+    std::optional<JointAdjustment> adjustment;
+};
+
+/// Who watches the registrations of a layer; empty: nobody.
+using LayerWatches = std::function<RegistrationWatch(const std::string& layer)>;
+
 /// The layers that registerLayers() may prepare beforehand: those whose first pose is known in the target.
 PreparedLayers prepareLayers(const SceneState& scene, const std::vector<std::string>& ids,
                              const JobControl& control);
@@ -35,10 +51,15 @@ PreparedLayers prepareLayers(const SceneState& scene, const std::vector<std::str
 /// stays where it is and serves the others. ErrorCode::untrustworthy names a layer that no pair reaches; a
 /// pair that fails is no error while others reach its layers. Bit-identical for any thread count.
 Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vector<std::string>& ids,
-                                        const JobControl& control, const RegistrationWatch& watch = {});
+                                        const JobControl& control);
 /// The same, going on from prepareLayers(), which it uses up.
 Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vector<std::string>& ids,
-                                        PreparedLayers prepared, const JobControl& control,
-                                        const RegistrationWatch& watch = {});
+                                        PreparedLayers prepared, const JobControl& control);
+
+/// registerLayers() for those who show what was found: a layer that cannot be registered keeps none of the
+/// others from it. Whoever enters a pose into the scene asks RegistrationResult::trustworthy() first. Steps
+/// are told in the scene's frame.
+Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,
+                                      const JobControl& control, const LayerWatches& watches = {});
 
 }  // namespace vestige

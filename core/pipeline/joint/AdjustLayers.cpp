@@ -27,7 +27,7 @@ class Adjusting {
     Adjusting(const SceneState& scene, const PairedLayers& paired)
         : scene_(scene), paired_(paired), layers_(layerGraph(paired)) {}
 
-    Result<RegisteredLayers> run();
+    AttemptedLayers run();
 
   private:
     const std::string& id(std::size_t member) const { return paired_.members[member].layer.id; }
@@ -47,12 +47,9 @@ class Adjusting {
     AdjustedGraph adjusted_;
 };
 
-/// Whether each layer has its own pair with the target and nothing else.
+/// Whether no layer has another pair than its own with the target.
 bool Adjusting::standAlone() const {
-    std::size_t free = 0;
-    for (const Member& member : paired_.members) free += !member.fixed;
-    return layers_.graph.edges.size() == free &&
-           std::all_of(layers_.graph.edges.begin(), layers_.graph.edges.end(),
+    return std::all_of(layers_.graph.edges.begin(), layers_.graph.edges.end(),
                        [&](const PoseEdge& edge) { return isTarget(edge.to); });
 }
 
@@ -159,9 +156,9 @@ void Adjusting::judge(std::size_t member, RegistrationResult& result) const {
                             adjusted_.edges[loop.closing].controlled && adjusted_.consistent;
         if (!through || !open || proven || loop.probability > kFalseAlarm) continue;
         if (result.verdict == Verdict::accepted) result.verdict = Verdict::doubtful;
-        result.reasons.push_back("the loop " + loopText(loop) + " fails to close by " +
-                                 closureText(loop.translation_m, loop.rotation_rad) +
-                                 ", more than its registrations allow");
+        result.reasons.insert(result.reasons.begin(), "the loop " + loopText(loop) + " fails to close by " +
+                                                          closureText(loop.translation_m, loop.rotation_rad) +
+                                                          ", more than its registrations allow");
     }
 }
 
@@ -196,7 +193,7 @@ JointAdjustment Adjusting::told() const {
         told.loops.push_back(std::move(one));
     }
     for (std::size_t i = 0; i < paired_.members.size(); ++i) {
-        if (paired_.members[i].fixed) continue;
+        if (paired_.members[i].fixed || !adjusted_.fit.poses[i]) continue;
         const Pose& before = adjusted_.unadjusted[i]->pose;
         const Pose& after = *adjusted_.fit.poses[i];
         const Eigen::Vector3d& centre = layers_.graph.nodes[i].centre_m;
@@ -211,29 +208,35 @@ JointAdjustment Adjusting::told() const {
     return told;
 }
 
-Result<RegisteredLayers> Adjusting::run() {
-    RegisteredLayers registered;
-    if (standAlone()) {
-        for (std::size_t i = 0; i < paired_.members.size(); ++i)
-            for (const MemberPair& pair : paired_.pairs)
-                if (pair.result && pair.from == i) registered.layers.emplace_back(id(i), *pair.result);
-        return registered;
-    }
+AttemptedLayers Adjusting::run() {
+    const bool alone = standAlone();
     adjust();
-    for (std::size_t i = 0; i < paired_.members.size(); ++i)
-        if (!paired_.members[i].fixed && !adjusted_.fit.poses[i]) return fail(unreached(i));
     std::vector<bool> used;
     for (const AdjustedEdge& edge : adjusted_.edges) used.push_back(edge.used);
     const auto tree = surestTree(layers_.graph, used);
-    for (std::size_t i = 0; i < paired_.members.size(); ++i)
-        for (const TreeStep& step : tree) {
-            if (step.node != i) continue;
-            RegistrationResult result = resultOf(step);
+    AttemptedLayers attempted;
+    for (std::size_t i = 0; i < paired_.members.size(); ++i) {
+        const Member& member = paired_.members[i];
+        if (member.fixed) continue;
+        const auto pairOf =
+            std::find_if(paired_.pairs.begin(), paired_.pairs.end(),
+                         [&](const MemberPair& pair) { return pair.result && pair.from == i; });
+        const auto step =
+            std::find_if(tree.begin(), tree.end(), [&](const TreeStep& one) { return one.node == i; });
+        if (alone && pairOf != paired_.pairs.end()) {
+            attempted.layers.push_back({id(i), *pairOf->result, {}});
+        } else if (step != tree.end()) {
+            RegistrationResult result = resultOf(*step);
             judge(i, result);
-            registered.layers.emplace_back(id(i), std::move(result));
+            attempted.layers.push_back({id(i), std::move(result), {}});
+        } else {
+            const Error error = unreached(i);
+            attempted.layers.push_back(
+                {id(i), member.attempt ? Result<RegistrationResult>(*member.attempt) : fail(error), error});
         }
-    registered.adjustment = told();
-    return registered;
+    }
+    if (!alone) attempted.adjustment = told();
+    return attempted;
 }
 
 }  // namespace
@@ -258,8 +261,9 @@ LayerGraph layerGraph(const PairedLayers& paired) {
     return layers;
 }
 
-Result<RegisteredLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired) {
-    return guarded("registration", [&] { return Adjusting(scene, paired).run(); });
+Result<AttemptedLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired) {
+    return guarded("registration",
+                   [&]() -> Result<AttemptedLayers> { return Adjusting(scene, paired).run(); });
 }
 
 }  // namespace vestige

@@ -13,8 +13,8 @@ struct LayerGraph {
 LayerGraph layerGraph(const PairedLayers& paired);
 
 /// All poses of the members from their pairs: results of the layers that are not fixed, and the adjustment
-/// where not every layer stands by its own registration to the target. ErrorCode::untrustworthy for a member
-/// that no pair reaches.
-Result<RegisteredLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired);
+/// where not every layer stands by its own registration to the target. A member that no pair reaches has a
+/// failure.
+Result<AttemptedLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired);
 
 }  // namespace vestige

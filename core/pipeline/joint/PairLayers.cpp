@@ -31,27 +31,29 @@ Result<RegistrationResult> registerNear(const SceneState& scene, const Layer& so
     constexpr double kMovesOfExtent = 0.05;
     prepared.voxelStart_m = std::max(kErrorsPerCell * error_m, leastCell_m);
     prepared.error_m.reset();
-    auto result = registerPair(scene, source, prepared, control, watch);
-    if (!result) return result;
+    auto result = attemptPair(scene, source, prepared, control, watch);
+    if (!result || !result->trustworthy()) return result;
     const double extent_m = prepared.initial.scale * source.data->points->bounds().diagonal();
     const Eigen::Vector3d centre = source.data->points->bounds().centre();
     const Pose turn = result->targetFromSource.pose * prepared.initial.pose.inverse();
     const double moved_m = (result->targetFromSource * centre - prepared.initial * centre).norm() +
                            rotationAngle(turn.linear()) * extent_m / 4;
-    if (moved_m <= std::max(kMovesAllowed * error_m, kMovesOfExtent * extent_m)) return result;
-    return fail(ErrorCode::untrustworthy,
-                "the registration cannot be relied on: the fit moved the scan " + fixedText(moved_m, 2) +
-                    " m from a first pose that is known much better than that",
-                "layer " + source.id, "give a nearer first pose");
+    if (moved_m > std::max(kMovesAllowed * error_m, kMovesOfExtent * extent_m)) {
+        result->verdict = Verdict::failed;
+        result->reasons = {"the fit moved the scan " + fixedText(moved_m, 2) +
+                           " m from a first pose that is known much better than that"};
+    }
+    return result;
 }
 
+/// `watch` is told poses of the source in the frame of the target.
 Result<RegistrationResult> registerTo(const SceneState& scene, const Layer& target, const Layer& source,
                                       PreparedRegistration prepared, const JobControl& control,
                                       const RegistrationWatch& watch) {
     const bool air = target.role == LayerRole::aerial;
     if (air && source.role == LayerRole::aerial && std::holds_alternative<InitIdentity>(source.init))
         return registerNear(scene, source, std::move(prepared), kStripError_m, 0, control, watch);
-    if (air || target.id == scene.target) return registerPair(scene, source, prepared, control, watch);
+    if (air || target.id == scene.target) return attemptPair(scene, source, prepared, control, watch);
     // Two scans: neither shows much of what the other does, so large cells would pull them over each other.
     constexpr double kCellsPerExtent = 20;
     const double extent_m = prepared.initial.scale * source.data->points->bounds().diagonal();
@@ -62,8 +64,8 @@ Result<RegistrationResult> registerTo(const SceneState& scene, const Layer& targ
 
 class Pairing {
   public:
-    Pairing(const SceneState& scene, PreparedLayers prepared, const RegistrationWatch& watch)
-        : scene_(scene), prepared_(std::move(prepared)), watch_(watch) {}
+    Pairing(const SceneState& scene, PreparedLayers prepared, const LayerWatches& watches)
+        : scene_(scene), prepared_(std::move(prepared)), watches_(watches) {}
 
     Status gather(const std::vector<std::string>& ids);
     Status place(const JobControl& control);
@@ -81,6 +83,9 @@ class Pairing {
     Status placeThroughOthers(const JobControl& control, bool& progress);
     Result<bool> registerFirst(std::size_t member, std::size_t reference, const JobControl& control);
     Result<bool> registerAgain(const Candidate& candidate, const JobControl& control);
+    Result<MemberPair> registerFromPlaces(std::size_t to, std::size_t from, std::optional<double> error_m,
+                                          const JobControl& control) const;
+    RegistrationWatch watchOf(const Member& source, const Member& target) const;
     void enter(MemberPair pair);
     std::vector<Candidate> candidates(bool forUnsettled);
     double overlap(std::size_t a, std::size_t b) const;
@@ -91,7 +96,7 @@ class Pairing {
 
     const SceneState& scene_;
     PreparedLayers prepared_;
-    const RegistrationWatch& watch_;
+    const LayerWatches& watches_;
     PairedLayers found_;
     std::vector<std::size_t> pending_;  // not tried from their first poses yet
     std::vector<std::pair<std::size_t, std::size_t>> tried_;
@@ -115,7 +120,7 @@ Status Pairing::gather(const std::vector<std::string>& ids) {
         if (!asked(layer.id) && !given) continue;
         if (!layer.data || layer.data->points->empty())
             return fail(ErrorCode::input, "the layer has no points", "layer " + layer.id);
-        Member member{layer, !asked(layer.id), {}, false, {}, {}};
+        Member member{layer, !asked(layer.id), {}, false, {}, {}, {}};
         if (member.fixed) {
             member.place = sceneFromLayer(layer);
             member.settled = true;
@@ -181,7 +186,7 @@ Result<bool> Pairing::registerFirst(std::size_t index, std::size_t reference, co
     Member& member = found_.members[index];
     const Member& to = found_.members[reference];
     const auto failed = [&](const Error& error) -> Result<bool> {
-        if (error.code != ErrorCode::untrustworthy) return fail(error);
+        if (error.code == ErrorCode::cancelled) return fail(error);
         if (!member.failure) member.failure = error;
         MemberPair pair{reference, index, {}, error.message};
         enter(std::move(pair));
@@ -209,9 +214,18 @@ Result<bool> Pairing::registerFirst(std::size_t index, std::size_t reference, co
     }
     if (!prepared) return failed(prepared.error());
     start(prepared->initial, prepared->error_m);
-    auto result =
-        registerTo(scene_, to.layer, member.layer, std::move(*prepared), control.sub(0.3, 1), watch_);
+    auto result = registerTo(scene_, to.layer, member.layer, std::move(*prepared), control.sub(0.3, 1),
+                             watchOf(member, to));
     if (!result) return failed(result.error());
+    if (!result->trustworthy()) {
+        const Error error = unreliable(*result, member.layer.id);
+        if (to.layer.id != scene_.target) {
+            result->targetFromSource = placed(*to.place, result->targetFromSource);
+            result->initial = placed(*to.place, result->initial);
+        }
+        if (!member.attempt) member.attempt = std::move(*result);
+        return failed(error);
+    }
     member.place = placed(*to.place, result->targetFromSource);
     member.error_m = result->rmse_m;
     member.settled = true;
@@ -278,9 +292,7 @@ Result<bool> Pairing::registerAgain(const Candidate& candidate, const JobControl
     std::optional<double> error_m;
     if ((first.fixed || first.error_m) && (second.fixed || second.error_m))
         error_m = std::hypot(first.error_m.value_or(0), second.error_m.value_or(0));
-    auto pair =
-        registerFromPlaces(scene_, found_.members, to, from, first.place->pose.inverse() * second.place->pose,
-                           error_m, control, watch_);
+    auto pair = registerFromPlaces(to, from, error_m, control);
     if (!pair) return fail(pair.error());
     tried_.emplace_back(to, from);
     const bool works = pair->result.has_value();
@@ -346,35 +358,51 @@ Status Pairing::pairUp(const JobControl& control) {
     return {};
 }
 
-}  // namespace
-
-Result<MemberPair> registerFromPlaces(const SceneState& scene, const std::vector<Member>& members,
-                                      std::size_t to, std::size_t from, const Pose& toFromFrom,
-                                      std::optional<double> error_m, const JobControl& control,
-                                      const RegistrationWatch& watch) {
-    const Member& target = members[to];
-    const Member& source = members[from];
+/// From the places found so far.
+Result<MemberPair> Pairing::registerFromPlaces(std::size_t to, std::size_t from,
+                                               std::optional<double> error_m,
+                                               const JobControl& control) const {
+    const Member& target = found_.members[to];
+    const Member& source = found_.members[from];
     MemberPair pair{to, from, {}, {}};
-    const InitialPlacement placement{
-        {toFromFrom, source.place->scale}, kPairReach_m + 3 * error_m.value_or(0.5), error_m, {}, {}};
+    const InitialPlacement placement{{target.place->pose.inverse() * source.place->pose, source.place->scale},
+                                     kPairReach_m + 3 * error_m.value_or(0.5),
+                                     error_m,
+                                     {},
+                                     {}};
     control.progress(0, source.layer.name + " to " + target.layer.name);
-    auto prepared = preparePair(scene, target.layer, source.layer, placement, control.sub(0, 0.3));
-    auto result = prepared ? registerTo(scene, target.layer, source.layer, std::move(*prepared),
-                                        control.sub(0.3, 1), watch)
+    auto prepared = preparePair(scene_, target.layer, source.layer, placement, control.sub(0, 0.3));
+    auto result = prepared ? registerTo(scene_, target.layer, source.layer, std::move(*prepared),
+                                        control.sub(0.3, 1), watchOf(source, target))
                            : Result<RegistrationResult>(fail(prepared.error()));
     if (!result && result.error().code != ErrorCode::untrustworthy) return fail(result.error());
-    if (result)
-        pair.result = std::move(*result);
-    else
+    if (!result)
         pair.whyNot = result.error().message;
+    else if (!result->trustworthy())
+        pair.whyNot = unreliable(*result, source.layer.id).message;
+    else
+        pair.result = std::move(*result);
     return pair;
 }
 
+RegistrationWatch Pairing::watchOf(const Member& source, const Member& target) const {
+    RegistrationWatch watch = watches_ ? watches_(source.layer.id) : RegistrationWatch();
+    if (!watch || target.layer.id == scene_.target) return watch;
+    return [watch, place = *target.place](const RegistrationStep& step) {
+        RegistrationStep inScene = step;
+        inScene.targetFromSource = placed(place, step.targetFromSource);
+        watch(inScene);
+    };
+}
+
+}  // namespace
+
 Result<PairedLayers> pairLayers(const SceneState& scene, const std::vector<std::string>& ids,
                                 PreparedLayers prepared, const JobControl& control,
-                                const RegistrationWatch& watch) {
+                                const LayerWatches& watches) {
+    if (ids.empty()) return PairedLayers{};
     return guarded("registration", [&]() -> Result<PairedLayers> {
-        Pairing pairing(scene, std::move(prepared), watch);
+        Pairing pairing(scene, std::move(prepared), watches);
         if (const Status gathered = pairing.gather(ids); !gathered) return fail(gathered.error());
         if (const Status placed = pairing.place(control.sub(0, 0.6)); !placed) return fail(placed.error());
         if (const Status paired = pairing.pairUp(control.sub(0.6, 1)); !paired) return fail(paired.error());

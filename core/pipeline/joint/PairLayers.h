@@ -16,6 +16,7 @@ struct Member {
     bool settled = false;             ///< the place is given, or found by a registration: not a first pose
     std::optional<double> error_m;    ///< of the place, about
     std::optional<Error> failure;     ///< of the registration from its first pose
+    std::optional<RegistrationResult> attempt;  ///< what that found, scene's frame, not to be relied on
 };
 
 /// Two members and what the registration of `from` to `to` gave.
@@ -32,16 +33,10 @@ struct PairedLayers {
 };
 
 /// Finds the place of every layer of `ids`, each from its first pose or through another layer, and registers
-/// all pairs that are expected to overlap. Members that nothing places keep no place.
-/// ErrorCode::untrustworthy is none here: such a pair has no result. See registerLayers().
+/// all pairs that are expected to overlap. Members that nothing places keep no place but a failure; a pair
+/// that cannot be relied on has no result. See registerLayers().
 Result<PairedLayers> pairLayers(const SceneState& scene, const std::vector<std::string>& ids,
                                 PreparedLayers prepared, const JobControl& control,
-                                const RegistrationWatch& watch);
-
-/// Registers one member to another from the places given for both. An untrustworthy result gives whyNot.
-Result<MemberPair> registerFromPlaces(const SceneState& scene, const std::vector<Member>& members,
-                                      std::size_t to, std::size_t from, const Pose& toFromFrom,
-                                      std::optional<double> error_m, const JobControl& control,
-                                      const RegistrationWatch& watch);
+                                const LayerWatches& watches);
 
 }  // namespace vestige

@@ -145,6 +145,32 @@ TEST_F(RegisterTogether, NamesTheLayerThatNothingReaches) {
     EXPECT_THAT(registered.error().sentence(), HasSubstr("layer rear"));
 }
 
+TEST_F(RegisterTogether, AttemptsGoOnWhereALayerFailsAndTellStepsInTheScene) {
+    CarScans car(folder.path());
+    car.addAerial("aerial", 0.01, 0.5);
+    car.addScan("front", 0);
+    car.addScan("left", 90, "front");
+    car.addScan("rear", 180);
+    car.scene.layer("rear")->init = InitPicks{folder / "absent.csv"};
+    std::vector<Similarity> steps;
+    const auto attempted =
+        attemptLayers(car.scene, {"front", "left", "rear"}, {}, [&](const std::string& id) {
+            return id != "left" ? RegistrationWatch() : [&](const RegistrationStep& step) {
+                steps.push_back(step.targetFromSource);
+            };
+        });
+    ASSERT_TRUE(attempted) << attempted.error().sentence();
+    ASSERT_EQ(attempted->layers.size(), 3u);
+    EXPECT_TRUE(attempted->layers[0].result && attempted->layers[0].result->trustworthy());
+    EXPECT_TRUE(attempted->layers[1].result && attempted->layers[1].result->trustworthy());
+    EXPECT_FALSE(attempted->layers[2].result);
+    ASSERT_TRUE(attempted->layers[2].failure);
+    EXPECT_THAT(attempted->layers[2].failure->sentence(), HasSubstr("absent.csv"));
+    ASSERT_FALSE(steps.empty());
+    for (const Similarity& step : steps) EXPECT_LT(car.error("left", step), 0.3);
+    EXPECT_EQ(registerLayers(car.scene, {"front", "rear"}, {}).error().code, ErrorCode::input);
+}
+
 TEST_F(RegisterTogether, RefusesFirstPosesThatLeadInACircle) {
     CarScans car(folder.path());
     car.addAerial("aerial", 0.01);

@@ -3,6 +3,7 @@
 #include <QSignalBlocker>
 
 #include "core/pipeline/RegisterLayers.h"
+#include "core/pipeline/RegisterTogether.h"
 #include "core/pipeline/ResolveAims.h"
 #include "core/scene/Edits.h"
 #include "ui/actions/ActionCatalog.h"
@@ -18,27 +19,6 @@
 
 namespace vestige {
 namespace {
-
-struct Found {
-    std::string layer;
-    Result<RegistrationResult> result;
-};
-
-/// A layer that cannot be registered keeps none of the others from it.
-Result<std::vector<Found>> registerAll(const SceneState& scene, const std::vector<std::string>& layers,
-                                       const FitTrace::Watches& watches, const JobControl& control) {
-    std::vector<Found> found;
-    const double count = static_cast<double>(layers.size());
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        const JobControl part =
-            control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-        auto result =
-            attemptLayer(scene, layers[i], part, watches ? watches(layers[i]) : RegistrationWatch());
-        if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
-        found.push_back({layers[i], std::move(result)});
-    }
-    return found;
-}
 
 QString namesOf(const SceneState& scene, const std::vector<std::string>& layers) {
     QStringList names;
@@ -131,21 +111,20 @@ void RegistrationReactions::run(const std::vector<std::string>& layers,
         bench_.actions["view.panel-fit"].trigger();
         watches = bench_.trace.begin();
     }
-    using FoundAll = std::vector<Found>;
-    bench_.jobs.run<FoundAll>(
+    bench_.jobs.run<AttemptedLayers>(
         tr("Registering %1").arg(names),
         [scene = std::move(scene), layers, watches](const JobControl& control) {
-            return registerAll(scene, layers, watches, control);
+            return attemptLayers(scene, layers, control, watches);
         },
-        [this, names, start](Result<FoundAll> all) {
+        [this, names, start](Result<AttemptedLayers> all) {
             bench_.trace.finish();
             if (!all) return bench_.notices.failed(all.error());
             bench_.document.begin(tr("register %1").arg(names));
             QStringList sentences;
             bool entered = false;
-            for (Found& one : *all) {
+            for (AttemptedLayer& one : all->layers) {
                 const bool found = one.result && one.result->trustworthy();
-                const QString said = take(one.layer, std::move(one.result), start);
+                const QString said = take(one.id, std::move(one.result), start);
                 if (!said.isEmpty()) sentences << said;
                 entered = entered || found;
             }
