@@ -132,8 +132,7 @@ void readCaseJson(const JsonCursor& root, const std::filesystem::path& folder, S
         const auto items = layers->elements();
         for (std::size_t i = 0; i < items.size(); ++i)
             if (const std::string to = referenceOf(scene.layers[i].init); !to.empty() && !scene.layer(to))
-                items[i].at("init").at("to").reject("the case has no layer '" + to + "'",
-                                                    "expected the id of a layer");
+                items[i].at("init").at("to").warn("the case has no layer '" + to + "'");
     }
     if (const auto preprocess = root.find("preprocess")) readParameters(*preprocess, scene.preprocess);
     if (const auto registration = root.find("registration"))

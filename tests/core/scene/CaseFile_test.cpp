@@ -134,6 +134,37 @@ TEST(CaseFile, InitialPosesOfEveryForm) {
               0.001);
 }
 
+TEST(CaseFile, AFirstPoseMayLeadToAnotherLayer) {
+    const TemporaryFolder folder;
+    const auto file = folder / "case.json";
+    const std::string layers = R"({"vestige":1,"layers":[{"id":"a","role":"handheld","path":"a"},
+        {"id":"b","role":"handheld","path":"b","init":{"picks":"b.csv","to":"a"}},
+        {"id":"c","role":"handheld","path":"c","init":{"pose":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"to":")";
+    ASSERT_TRUE(writeTextFile(file, layers + "b\"}}]}"));
+    SceneState scene = read(file);
+    EXPECT_EQ(referenceOf(scene.layers[0].init), "");
+    EXPECT_EQ(referenceOf(scene.layers[1].init), "a");
+    EXPECT_EQ(referenceOf(scene.layers[2].init), "b");
+    scene.layers[2].registration.emplace();
+    scene.layers[2].registration->via = {"a", "b"};
+    ASSERT_TRUE(writeCase(folder / "again.vestige", scene));
+    const SceneState again = read(folder / "again.vestige");
+    EXPECT_EQ(referenceOf(again.layers[1].init), "a");
+    EXPECT_EQ(std::get<InitPicks>(again.layers[1].init).picks, folder / "b.csv");
+    EXPECT_EQ(referenceOf(again.layers[2].init), "b");
+    EXPECT_EQ(again.layers[2].registration->via, (std::vector<std::string>{"a", "b"}));
+
+    // A layer may have been removed since: the case still opens.
+    ASSERT_TRUE(writeTextFile(file, layers + "gone\"}}]}"));
+    std::vector<std::string> warnings;
+    ASSERT_TRUE(readCase(file, &warnings));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("layers[2].init.to: the case has no layer 'gone'"), std::string::npos)
+        << warnings[0];
+    ASSERT_TRUE(writeTextFile(file, layers + "c\"}}]}"));
+    EXPECT_FALSE(readCase(file, nullptr));
+}
+
 TEST(CaseFile, TheTargetIsTheFirstAerialLayerUnlessTheCaseSaysOtherwise) {
     const TemporaryFolder folder;
     const auto file = folder / "case.json";
