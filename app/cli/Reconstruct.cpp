@@ -1,6 +1,7 @@
 #include "core/pipeline/Reconstruct.h"
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/Session.h"
@@ -42,18 +43,22 @@ json layersJson(const SceneState& scene) {
     return list;
 }
 
-json resultJson(const Reconstruction& result) {
+json registrationsJson(const SceneState& scene) {
     json registrations = json::array();
-    for (const Layer& layer : result.scene.layers) {
+    for (const Layer& layer : scene.layers) {
         if (!layer.registration) continue;
         registrations.push_back(registrationJson(*layer.registration, true));
         registrations.back()["layer"] = layer.id;
     }
+    return registrations;
+}
+
+json resultJson(const Reconstruction& result) {
     json outputs = json::array();
     for (const auto& output : result.outputs)
         outputs.push_back({{"path", output.path}, {"sha256", output.sha256}});
     return {{"layers", layersJson(result.scene)},
-            {"registration", std::move(registrations)},
+            {"registration", registrationsJson(result.scene)},
             {"measurements", measurementsJson(result.measured)},
             {"accuracy", accuracyJson(result.measured.accuracy)},
             {"outputs", std::move(outputs)},
@@ -94,9 +99,17 @@ int run(Session& session, const Options& options) {
     const OffscreenApplication application;
     const auto renderer = offscreenRenderer();
     PdfPrinter printer;
+    SceneState reached;
     const auto result =
-        reconstruct(std::move(*scene), options.out, renderer.get(), &printer, session.control());
-    if (!result) return session.failed(result.error());
+        reconstruct(std::move(*scene), options.out, renderer.get(), &printer, session.control(), &reached);
+    if (!result) {
+        const bool loaded = std::all_of(reached.layers.begin(), reached.layers.end(),
+                                        [](const Layer& layer) { return layer.data != nullptr; });
+        if (result.error().code == ErrorCode::untrustworthy && loaded)
+            session.printJson(
+                {{"layers", layersJson(reached)}, {"registration", registrationsJson(reached)}});
+        return session.failed(result.error());
+    }
     for (const auto& missing : result->notMade) session.log("not made: " + missing);
     printForPeople(session, *result, options.out);
     session.printJson(resultJson(*result));

@@ -46,7 +46,7 @@ Status checkLayers(const SceneState& scene) {
 
 Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path& outputFolder,
                                    ViewRenderer* renderer, DocumentPrinter* printer,
-                                   const JobControl& control) {
+                                   const JobControl& control, SceneState* reached) {
     if (const Status checked = checkLayers(scene); !checked) return fail(checked.error());
     ReconstructRun run{std::move(scene),
                        OutputFolder(outputFolder),
@@ -68,7 +68,10 @@ Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path
         run.stages.push_back({stage.title, seconds});
         result.secondsPerStage[stage.id] = seconds;
     });
-    if (!done) return fail(done.error());
+    if (!done) {
+        if (reached) *reached = std::move(run.scene);
+        return fail(done.error());
+    }
     auto outputs = hashedOutputs(run.output, control);
     if (!outputs) return fail(outputs.error());
     result.outputs = std::move(*outputs);

@@ -32,8 +32,9 @@ struct Reconstruction {
 /// into `outputFolder`. Without renderer or printer their outputs are listed in `notMade`. A layer whose
 /// registration fails ends the job with ErrorCode::untrustworthy. Cancelled or failed, nothing half-written
 /// stays and what stood in the folder is untouched. Layers that hold their data already are not read again.
+/// Where the job fails, `reached` gets the scene as far as it came: with what failed registrations found.
 Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path& outputFolder,
                                    ViewRenderer* renderer, DocumentPrinter* printer,
-                                   const JobControl& control);
+                                   const JobControl& control, SceneState* reached = nullptr);
 
 }  // namespace vestige

@@ -23,11 +23,7 @@ PreparedLayers prepareLayers(const SceneState& scene, const std::vector<std::str
 
 Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vector<std::string>& ids,
                                         PreparedLayers prepared, const JobControl& control) {
-    auto paired = pairLayers(scene, ids, std::move(prepared), control, {});
-    if (!paired) return fail(paired.error());
-    for (const Member& member : paired->members)
-        if (member.failure && member.failure->code != ErrorCode::untrustworthy) return fail(*member.failure);
-    auto attempted = adjustLayers(scene, *paired);
+    auto attempted = attemptLayers(scene, ids, std::move(prepared), control);
     if (!attempted) return fail(attempted.error());
     RegisteredLayers registered;
     for (AttemptedLayer& layer : attempted->layers) {
@@ -44,10 +40,16 @@ Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vect
 }
 
 Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,
-                                      const JobControl& control, const LayerWatches& watches) {
-    const auto paired = pairLayers(scene, ids, {}, control, watches);
+                                      PreparedLayers prepared, const JobControl& control,
+                                      const LayerWatches& watches) {
+    const auto paired = pairLayers(scene, ids, std::move(prepared), control, watches);
     if (!paired) return fail(paired.error());
     return adjustLayers(scene, *paired);
+}
+
+Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,
+                                      const JobControl& control, const LayerWatches& watches) {
+    return attemptLayers(scene, ids, PreparedLayers{}, control, watches);
 }
 
 }  // namespace vestige

@@ -62,4 +62,8 @@ Result<RegisteredLayers> registerLayers(const SceneState& scene, const std::vect
 Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,
                                       const JobControl& control, const LayerWatches& watches = {});
 
+Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,
+                                      PreparedLayers prepared, const JobControl& control,
+                                      const LayerWatches& watches = {});
+
 }  // namespace vestige

@@ -218,6 +218,11 @@ AttemptedLayers Adjusting::run() {
     for (std::size_t i = 0; i < paired_.members.size(); ++i) {
         const Member& member = paired_.members[i];
         if (member.fixed) continue;
+        // An input that is broken is told even where others reach the layer.
+        if (member.failure && member.failure->code != ErrorCode::untrustworthy) {
+            attempted.layers.push_back({id(i), fail(*member.failure), member.failure});
+            continue;
+        }
         const auto pairOf =
             std::find_if(paired_.pairs.begin(), paired_.pairs.end(),
                          [&](const MemberPair& pair) { return pair.result && pair.from == i; });

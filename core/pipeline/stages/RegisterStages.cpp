@@ -7,9 +7,6 @@
 namespace vestige {
 namespace {
 
-/// Below this share of points with a counterpart a fit is told to be doubtful.
-constexpr double kPoorOverlap = 0.3;
-
 std::vector<std::string> layersToRegister(const SceneState& scene) {
     std::vector<std::string> ids;
     for (const Layer& layer : scene.layers)
@@ -25,13 +22,12 @@ void warn(ReconstructRun& run, const JobControl& control, const std::string& tex
 void judge(ReconstructRun& run, const JobControl& control, const Layer& layer) {
     const RegistrationResult& result = *layer.registration;
     for (const auto& note : result.notes) control.message(layer.id + ": " + note);
-    if (!result.converged)
-        warn(run, control,
-             "the registration of " + layer.id + " reached its limit of steps before it settled: doubtful");
-    if (result.overlap < kPoorOverlap)
-        warn(run, control,
-             "only " + percent(result.overlap, 0) + " of the points of " + layer.id +
-                 " have a counterpart in the global cloud: doubtful");
+    if (result.verdict == Verdict::doubtful) {
+        std::string text = "the registration of " + layer.id + " is doubtful";
+        for (const auto& reason : result.reasons)
+            text += (&reason == &result.reasons.front() ? ": " : "; ") + reason;
+        warn(run, control, text);
+    }
     control.message(layer.id + " registered: overlap " + percent(result.overlap, 0) +
                     ", root mean square distance " + fixedText(1000 * result.rmse_m, 1) + " mm");
 }
@@ -46,17 +42,20 @@ Status preprocessStage(ReconstructRun& run, const JobControl& control) {
 }
 
 Status registerStage(ReconstructRun& run, const JobControl& control) {
-    auto registered =
-        registerLayers(run.scene, layersToRegister(run.scene), std::move(run.prepared), control);
-    if (!registered) return fail(registered.error());
-    for (auto& [id, result] : registered->layers) {
+    auto attempted = attemptLayers(run.scene, layersToRegister(run.scene), std::move(run.prepared), control);
+    if (!attempted) return fail(attempted.error());
+    std::optional<Error> failure;
+    for (auto& [id, result, why] : attempted->layers) {
+        if (why && (!failure || failure->code == ErrorCode::untrustworthy)) failure = why;
+        if (!result) continue;
         Layer& layer = *run.scene.layer(id);
         if (!layer.unit)
-            layer.unit = result.targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
-        setRegistration(id, std::move(result))->apply(run.scene);
-        judge(run, control, *run.scene.layer(id));
+            layer.unit = result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
+        setRegistration(id, std::move(*result))->apply(run.scene);
+        if (!why) judge(run, control, *run.scene.layer(id));
     }
-    run.adjustment = std::move(registered->adjustment);
+    if (failure) return fail(*failure);
+    run.adjustment = std::move(attempted->adjustment);
     return {};
 }
 

@@ -101,10 +101,9 @@ TEST(AdjustGraph, TellsCovariancesThatAreTooSmallFromAWrongEdge) {
 
 TEST(AdjustGraph, TakesAnEdgeThatIsNearWhereItShouldBeForTooSureNotForWrong) {
     Random random(29);
-    SimulatedGraph simulated(random, 5, kRound, kUtm);
+    SimulatedGraph simulated(random, 5, kRound, kUtm, 0.0005, 0.0001);
     PoseEdge& edge = simulated.graph.edges[3];
     edge.toFromFrom = shift(0.015, 0, 0) * edge.toFromFrom;
-    edge.uncertainty.covariance /= 100;
     EXPECT_FALSE(adjustGraph(simulated.graph).edges[3].used);
     const AdjustedGraph adjusted = adjustGraph(simulated.graph, {0.001, 0.1, 0.1});
     EXPECT_TRUE(adjusted.edges[3].used);
