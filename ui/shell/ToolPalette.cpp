@@ -29,7 +29,7 @@ QFrame* gap() {
 
 QString colorText(const Presentation& shown) {
     if (shown.overlay() == Overlay::residual) return QObject::tr("Distance");
-    if (shown.overlay() == Overlay::registration) return QObject::tr("Source, target");
+    if (shown.overlay() == Overlay::registration) return QObject::tr("Two tints");
     switch (shown.colorMode()) {
         case ColorMode::height:
             return QObject::tr("Height");
