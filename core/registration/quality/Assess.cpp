@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/registration/RegistrationFrame.h"
@@ -15,7 +16,7 @@ namespace vestige {
 namespace {
 
 /// What the sandwich leaves out, found on simulated pairs with truth (docs/decisions/0009).
-constexpr double kVarianceScale = 3.4;
+constexpr double kVarianceScale = 1.7;
 constexpr double kChiSquare95 = 12.592;  // of six degrees of freedom
 constexpr double kMargin = 0.5;          // of the source's radius, round its bounds
 constexpr double kRestartOfRadius = 0.03;
@@ -39,6 +40,39 @@ double scoreOf(const SurfaceFit& fit, const Pose& pose) {
     const SurfaceShares source = fit.sourceShares(pose);
     const SurfaceShares target = fit.targetShares(pose);
     return source.agrees + target.agrees + source.support + target.support;
+}
+
+/// Restarts near the result and turned by half: how many come back, and whether another pose fits as well.
+void tryAgain(const RegistrationResult& result, const SurfaceFit& fit, const RestartPlan& plan,
+              const std::function<Pose(const Pose&)>& toLocal, const Eigen::Vector3d& middle,
+              const RegisterAgain& again, const JobControl& control, RegistrationQuality& quality,
+              Evidence& evidence) {
+    const Pose& found = result.targetFromSource.pose;
+    const std::array centres{plan.pivot_m, middle};
+    std::vector<RestartOutcome> outcomes = restart(found, plan, again, control.sub(0, 0.8));
+    quality.restarts.runs = plan.runs;
+    for (const RestartOutcome& outcome : outcomes) {
+        if (!outcome.agrees) continue;
+        ++quality.restarts.agreeing;
+        quality.restarts.translation_m =
+            std::max(quality.restarts.translation_m, outcome.step.head<3>().norm());
+        quality.restarts.rotation_rad =
+            std::max(quality.restarts.rotation_rad, outcome.step.tail<3>().norm() / plan.radius_m);
+    }
+    const std::size_t near = outcomes.size();
+    const auto turned = restartTurned(found, plan, centres, again, control.sub(0.8, 1));
+    outcomes.insert(outcomes.end(), turned.begin(), turned.end());
+    const double score = scoreOf(fit, toLocal(found));
+    double best = kAsGood * score;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (outcomes[i].agrees) continue;
+        const double other = scoreOf(fit, toLocal(outcomes[i].pose));
+        if (other <= best) continue;
+        best = other;
+        evidence.betterElsewhere_m = outcomes[i].step.norm();
+        // From behind, a hall may look better by chance of where the stations stood.
+        evidence.muchBetter = i < near && other > kBetter * score;
+    }
 }
 
 }  // namespace
@@ -81,25 +115,10 @@ void assess(RegistrationResult& result, const PointCloud& target, const PointClo
     plan.radius_m = information.radius_m;
     plan.covariance = covariance;
     plan.tolerance_m = 0.5 * fit.tolerance_m();
-    const Pose& pose = result.targetFromSource.pose;
-    const double score = scoreOf(fit, found);
-    double best = 0;
-    quality.restarts.runs = plan.runs;
-    for (const RestartOutcome& outcome : restart(pose, plan, again, control.sub(0.3, 1))) {
-        if (outcome.agrees) {
-            ++quality.restarts.agreeing;
-            quality.restarts.translation_m =
-                std::max(quality.restarts.translation_m, outcome.step.head<3>().norm());
-            quality.restarts.rotation_rad =
-                std::max(quality.restarts.rotation_rad, outcome.step.tail<3>().norm() / plan.radius_m);
-            continue;
-        }
-        const double other = scoreOf(fit, frame.toLocal(outcome.pose, centred));
-        if (other <= std::max(best, kAsGood * score)) continue;
-        best = other;
-        evidence.betterElsewhere_m = outcome.step.norm();
-        evidence.muchBetter = other > kBetter * score;
-    }
+    if (options.restarts > 0)
+        tryAgain(
+            result, fit, plan, [&](const Pose& pose) { return frame.toLocal(pose, centred); },
+            fit.middle(found) + origin, again, control.sub(0.3, 1), quality, evidence);
     Judgement judgement = judge(result, quality, evidence, options);
     result.verdict = judgement.verdict;
     result.reasons = std::move(judgement.reasons);

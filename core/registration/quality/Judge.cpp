@@ -51,13 +51,14 @@ void judgeOverlap(const RegistrationResult& result, const QualityOptions& option
 }
 
 void judgeSupport(const Evidence& evidence, const QualityOptions& options, Reasons& reasons) {
+    constexpr double kSeenPerSupport = 1.4;  // the part that both clouds saw agrees the better
     const double support = std::max(evidence.source.support, evidence.target.support);
     const double seen = std::max(evidence.source.seenSupport, evidence.target.seenSupport);
-    if (support < options.failedSupport || seen < 2 * options.failedSupport)
+    if (support < options.failedSupport || seen < kSeenPerSupport * options.failedSupport)
         reasons.fail("the surfaces that would hold the pose disagree: in one direction only " +
                      percent(support) + " of them lie on the other cloud (" + percent(seen) +
                      " where both clouds have surface)");
-    else if (support < options.doubtfulSupport || seen < 2 * options.doubtfulSupport)
+    else if (support < options.doubtfulSupport || seen < kSeenPerSupport * options.doubtfulSupport)
         reasons.doubt("few of the surfaces that would hold the pose agree: in one direction " +
                       percent(support) + " (" + percent(seen) + " where both clouds have surface)");
 }
@@ -77,8 +78,8 @@ void judgeObservability(const RegistrationQuality& quality, const Evidence& evid
 
 void judgeRestarts(const RegistrationQuality& quality, const Evidence& evidence, Reasons& reasons) {
     if (evidence.betterElsewhere_m) {
-        const std::string where = "a start nearby led to another pose " +
-                                  lengthText(*evidence.betterElsewhere_m) + " away that fits ";
+        const std::string where =
+            "another start led to a pose " + lengthText(*evidence.betterElsewhere_m) + " away that fits ";
         if (evidence.muchBetter)
             reasons.fail(where + "better");
         else

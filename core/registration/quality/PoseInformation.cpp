@@ -73,6 +73,23 @@ double commonVariance(std::span<const SurfaceMatch> matches, double largest) {
     return high;
 }
 
+/// The gradient of an error that all cells of the prevailing orientation share: surfaces that bend one way
+/// everywhere, such as a crowned road, sampled differently from two places.
+Vector6d sharedBend(const std::vector<Row>& rows) {
+    constexpr double kSharedOfSize = 1.5e-4;
+    Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+    for (const Row& row : rows)
+        normals += row.weight * row.jacobian.head<3>() * row.jacobian.head<3>().transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normals);
+    const Eigen::Vector3d prevailing = solver.eigenvectors().col(2);
+    Vector6d gradient = Vector6d::Zero();
+    for (const Row& row : rows) {
+        const double side = row.jacobian.head<3>().dot(prevailing);
+        gradient += (side < 0 ? -1 : 1) * row.weight * kSharedOfSize * row.plane->size_m * row.jacobian;
+    }
+    return gradient;
+}
+
 }  // namespace
 
 Matrix6d PoseInformation::held() const {
@@ -150,6 +167,8 @@ PoseInformation poseInformation(std::span<const SurfaceMatch> matches, const std
         ++info.clusters;
         begin = end;
     }
+    const Vector6d shared = sharedBend(rows);
+    info.scatter += outer(shared);
     return info;
 }
 

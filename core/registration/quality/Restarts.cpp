@@ -18,13 +18,20 @@ Eigen::Vector3d randomDirection(Random& random) {
     return Eigen::Vector3d(x, y, z).normalized();
 }
 
+RestartOutcome outcomeOf(const Pose& found, const Pose& pose, const RestartPlan& plan) {
+    RestartOutcome outcome{pose, stepBetween(found, pose, plan.pivot_m, plan.radius_m), false};
+    // Two results differ by the errors of both.
+    const Eigen::LDLT<Matrix6d> covariance((2 * plan.covariance).eval());
+    outcome.agrees = outcome.step.norm() <= plan.tolerance_m ||
+                     outcome.step.dot(covariance.solve(outcome.step)) <= kChiSquare95;
+    return outcome;
+}
+
 }  // namespace
 
 std::vector<RestartOutcome> restart(const Pose& found, const RestartPlan& plan, const RegisterAgain& again,
                                     const JobControl& control) {
     std::vector<RestartOutcome> outcomes;
-    // Two results differ by the errors of both.
-    const Eigen::LDLT<Matrix6d> covariance((2 * plan.covariance).eval());
     for (int i = 0; i < plan.runs; ++i) {
         if (control.cancelled()) throw ErrorException{cancelledError()};
         Random random(kSeed, static_cast<std::uint64_t>(i));
@@ -32,13 +39,23 @@ std::vector<RestartOutcome> restart(const Pose& found, const RestartPlan& plan, 
         start.head<3>() = plan.distance_m * randomDirection(random);
         start.tail<3>() = plan.distance_m * randomDirection(random);
         const Result<Pose> pose = again(stepped(found, start, plan.pivot_m, plan.radius_m));
-        if (pose) {
-            RestartOutcome outcome{*pose, stepBetween(found, *pose, plan.pivot_m, plan.radius_m), false};
-            outcome.agrees = outcome.step.norm() <= plan.tolerance_m ||
-                             outcome.step.dot(covariance.solve(outcome.step)) <= kChiSquare95;
-            outcomes.push_back(outcome);
-        }
+        if (pose) outcomes.push_back(outcomeOf(found, *pose, plan));
         control.progress(static_cast<double>(i + 1) / plan.runs, "restarts");
+    }
+    return outcomes;
+}
+
+std::vector<RestartOutcome> restartTurned(const Pose& found, const RestartPlan& plan,
+                                          std::span<const Eigen::Vector3d> centres,
+                                          const RegisterAgain& again, const JobControl& control) {
+    const Eigen::Matrix3d half = Eigen::Vector3d(-1, -1, 1).asDiagonal();
+    std::vector<RestartOutcome> outcomes;
+    for (const Eigen::Vector3d& centre : centres) {
+        if (control.cancelled()) throw ErrorException{cancelledError()};
+        Pose turn = Pose::Identity();
+        turn.linear() = half;
+        turn.translation() = centre - half * centre;
+        if (const Result<Pose> pose = again(turn * found)) outcomes.push_back(outcomeOf(found, *pose, plan));
     }
     return outcomes;
 }

@@ -95,6 +95,20 @@ SurfaceShares SurfaceFit::targetShares(const Pose& pose) const {
     return sharesOf(matchSurfaces(target_.cells(), pose.inverse(), source_, tolerance_m_), target_.cells());
 }
 
+Eigen::Vector3d SurfaceFit::middle(const Pose& pose) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double area = 0;
+    for (const SurfaceCell& cell : target_.cells()) {
+        sum += cell.area_m2 * cell.mean;
+        area += cell.area_m2;
+    }
+    for (const SurfaceCell& cell : source_.cells()) {
+        sum += cell.area_m2 * (pose * cell.mean);
+        area += cell.area_m2;
+    }
+    return area > 0 ? Eigen::Vector3d(sum / area) : pose.translation();
+}
+
 PoseInformation SurfaceFit::information(const Pose& pose) const {
     return poseInformation(matches(pose), source_.cells(), cluster_m_);
 }

@@ -36,6 +36,8 @@ class SurfaceFit {
 
     double tolerance_m() const { return tolerance_m_; }
     const SurfaceIndex& target() const { return target_; }
+    /// The middle of all surface of both clouds, in the target's frame.
+    Eigen::Vector3d middle(const Pose& pose) const;
 
   private:
     double finest_m_;
