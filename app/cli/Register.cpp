@@ -97,7 +97,10 @@ Status writeOutputs(const Options& options, const LoadedGeometry& source, const 
 
 void report(const Session& session, const Options& options, const RegistrationResult& result) {
     for (const std::string& note : result.notes) session.log(note);
-    if (!result.converged) session.log("warning: not converged within the allowed iterations");
+    if (result.verdict == Verdict::doubtful)
+        for (const std::string& reason : result.reasons) session.log("warning: doubtful: " + reason);
+    else
+        for (const std::string& reason : result.reasons) session.log(reason);
     session.print("pose written to " + options.poseOut);
     session.print("overlap " + fixedText(100 * result.overlap, 1) + " %, RMSE " +
                   fixedText(1000 * result.rmse_m, 1) + " mm, " + std::to_string(result.iterations) +

@@ -179,7 +179,7 @@ const ParameterTable& registrationParameters() {
          "Support of a failure",
          "",
          real,
-         0.06,
+         0.03,
          0.0,
          1.0,
          {},

@@ -2,6 +2,7 @@
 #include "core/base/Units.h"
 #include "core/report/AdjustmentBlocks.h"
 #include "core/report/CaseReport.h"
+#include "core/report/QualityBlocks.h"
 #include "core/report/Wording.h"
 
 namespace vestige {
@@ -62,6 +63,7 @@ Section registrationSection(const ReportInput& input) {
     for (const auto& layer : input.scene.layers) {
         if (!layer.registration) continue;
         section.blocks.push_back(facts(layer));
+        for (Block& block : qualityBlocks(*layer.registration)) section.blocks.push_back(std::move(block));
         for (const auto& note : layer.registration->notes)
             section.blocks.push_back(Paragraph{"Note: " + note + "."});
         if (!layer.registration->levels.empty()) section.blocks.push_back(levelTable(*layer.registration));

@@ -1,0 +1,92 @@
+#include "core/registration/quality/Observability.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "core/base/Random.h"
+#include "core/registration/quality/DirectionWords.h"
+#include "core/registration/quality/SurfaceFit.h"
+
+namespace vestige {
+namespace {
+
+/// Points on squares of 8 m through the origin across each of the `axes`, 3 mm of noise.
+std::vector<Eigen::Vector3f> squares(std::initializer_list<int> axes, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<Eigen::Vector3f> points;
+    for (const int axis : axes)
+        for (int i = 0; i < 20000; ++i) {
+            Eigen::Vector3d point(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4));
+            point[axis] = random.normal(0, 0.003);
+            points.push_back(point.cast<float>());
+        }
+    return points;
+}
+
+std::vector<ObservedDirection> directionsOf(std::initializer_list<int> axes) {
+    const SurfaceFit fit(squares(axes, 1), squares(axes, 2), 4);
+    const PoseInformation information = fit.information(Pose::Identity());
+    return observedDirections(information, information.covariance(), 0.1);
+}
+
+int freeOf(const std::vector<ObservedDirection>& directions) {
+    int free = 0;
+    for (const ObservedDirection& one : directions) free += one.free;
+    return free;
+}
+
+}  // namespace
+
+TEST(Observability, APlaneLetsASlideTwoWaysAndATurn) {
+    const auto directions = directionsOf({2});
+    ASSERT_EQ(freeOf(directions), 3);
+    EXPECT_EQ(directions[0].words.substr(0, 12), "slides level");
+    EXPECT_EQ(directions[1].words.substr(0, 12), "slides level");
+    EXPECT_EQ(directions[2].words, "turns about the vertical axis");
+    EXPECT_LT(std::abs(directions[0].direction.z()), 0.05);
+}
+
+TEST(Observability, AStraightGutterLetsASlideAlongItOnly) {
+    const auto directions = directionsOf({1, 2});
+    ASSERT_EQ(freeOf(directions), 1);
+    EXPECT_EQ(directions[0].words, "slides level about east-west (90\u00b0 from the y axis)");
+    EXPECT_GT(std::abs(directions[0].direction.x()), 0.99);
+}
+
+TEST(Observability, ACornerHoldsEverything) {
+    const auto directions = directionsOf({0, 1, 2});
+    EXPECT_EQ(freeOf(directions), 0);
+    for (std::size_t i = 1; i < directions.size(); ++i)
+        EXPECT_LE(directions[i - 1].information, directions[i].information);
+}
+
+TEST(Observability, WordsForMotions) {
+    Vector6d motion = Vector6d::Zero();
+    motion[2] = -1;
+    EXPECT_EQ(motionWords(motion), "moves up and down");
+    motion << 0, -2, 0, 0, 0, 0;
+    EXPECT_EQ(motionWords(motion), "slides level about north-south (0\u00b0 from the y axis)");
+    motion << 0, 0, 0, 0, 0, 3;
+    EXPECT_EQ(motionWords(motion), "turns about the vertical axis");
+    motion << 0, 0, 0, 1, 0, 0;
+    EXPECT_EQ(motionWords(motion), "tilts about a level axis about east-west (90\u00b0 from the y axis)");
+}
+
+TEST(Observability, TheSpreadOfACornersFitsIsWhatItsCovarianceSays) {
+    // Over draws of both clouds' noise; the truth is the identity.
+    constexpr int kDraws = 12;
+    double squared = 0;
+    for (std::uint64_t i = 0; i < kDraws; ++i) {
+        const SurfaceFit fit(squares({0, 1, 2}, 100 + 2 * i), squares({0, 1, 2}, 101 + 2 * i), 4);
+        const Pose refined = fit.refined(Pose::Identity());
+        const PoseInformation information = fit.information(refined);
+        const Vector6d error =
+            stepBetween(refined, Pose::Identity(), information.pivot_m, information.radius_m);
+        squared += error.dot(information.covariance().ldlt().solve(error)) / 6;
+    }
+    EXPECT_GT(squared / kDraws, 0.2);
+    EXPECT_LT(squared / kDraws, 2.5);
+}
+
+}  // namespace vestige
