@@ -16,7 +16,11 @@ namespace vestige {
 namespace {
 
 /// What the sandwich leaves out, found on simulated pairs with truth (docs/decisions/0009).
-constexpr double kVarianceScale = 1.7;
+constexpr double kVarianceScale = 0.8;
+/// Of the finest cell: how well cells of that size can stand for a surface at all.
+constexpr double kCellError = 1.6e-4;
+/// Of the squared step between the two fits: it holds the errors of both.
+constexpr double kStepShare = 0.5;
 constexpr double kChiSquare95 = 12.592;  // of six degrees of freedom
 constexpr double kMargin = 0.5;          // of the source's radius, round its bounds
 constexpr double kRestartOfRadius = 0.03;
@@ -24,8 +28,10 @@ constexpr double kAsGood = 0.95;
 constexpr double kBetter = 1.05;
 
 /// Of (t, r w) of the found pose: that of the least-squares pose nearby, and the step to it.
-Matrix6d covarianceOf(const PoseInformation& information, const Vector6d& step) {
-    return kVarianceScale * information.covariance() + step * step.transpose();
+Matrix6d covarianceOf(const PoseInformation& information, const Vector6d& step, double cell_m) {
+    const double least = kCellError * cell_m;
+    return kVarianceScale * information.covariance() + kStepShare * step * step.transpose() +
+           least * least * Matrix6d::Identity();
 }
 
 /// From (t, r w) to (t, w).
@@ -96,8 +102,8 @@ void assess(RegistrationResult& result, const PointCloud& target, const PointClo
     const Pose refined = fit.refined(found);
     const PoseInformation information = fit.information(refined);
     quality.radius_m = information.radius_m;
-    const Matrix6d covariance =
-        covarianceOf(information, stepBetween(found, refined, information.pivot_m, information.radius_m));
+    const Matrix6d covariance = covarianceOf(
+        information, stepBetween(found, refined, information.pivot_m, information.radius_m), fit.finest_m());
     quality.directions = observedDirections(information, covariance, options.freeSigma_m);
     quality.uncertainty = {inRadians(covariance, information.radius_m), information.pivot_m + origin};
     evidence.longestHalfAxis_m = std::sqrt(

@@ -34,6 +34,7 @@ class SurfaceFit {
     /// The pose that point-to-plane least squares finds next to this one, where the data hold it.
     Pose refined(const Pose& pose) const;
 
+    double finest_m() const { return finest_m_; }  ///< edge of the smallest cells
     double tolerance_m() const { return tolerance_m_; }
     const SurfaceIndex& target() const { return target_; }
     /// The middle of all surface of both clouds, in the target's frame.
