@@ -13,6 +13,7 @@ constexpr double kLargestStart_m = 4;
 constexpr double kPaperStart_m = 1;  // the largest size of the publication's table 2
 constexpr double kPaperTrustRadius_m = 0.1;
 constexpr double kFloor_m = 0.1;
+constexpr double kSmallRadius_m = 2;  // of a source that has few surfaces
 constexpr double kSingleVoxel_m = 1;
 /// A first pose that is known needs no cells that reach further than it may be off, 2 sigma to either side.
 /// Smaller cells than this share of the source's radius hold too little of a surface (docs/decisions/0005).
@@ -30,10 +31,12 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
                                                                        kSmallestKnownStart * sourceRadius_m));
     options.voxel_m = parameters.optionalReal("voxel_m");
     // A small thing needs smaller cells than a street.
-    options.voxelFloor_m = paper ? std::min(kFloor_m, options.voxelStart_m / 20) : options.voxelStart_m / 16;
+    const bool small = sourceRadius_m < kSmallRadius_m;
+    options.voxelFloor_m =
+        paper ? std::min(kFloor_m, options.voxelStart_m / 20) : options.voxelStart_m / (small ? 16 : 32);
     options.leaf_m = parameters.optionalReal("leaf_m");
     options.published = paper;
-    if (!paper && (startError_m || sourceRadius_m < 2)) options.shiftedGrids = 4;
+    if (!paper && (startError_m || small)) options.shiftedGrids = 4;
     if (startError_m && !paper)
         options.voxelFloor_m = std::max(options.voxelFloor_m,
                                         std::min(options.voxelStart_m, kSmallestKnownStart * sourceRadius_m));

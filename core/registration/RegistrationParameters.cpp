@@ -226,7 +226,8 @@ const ParameterTable& registrationParameters() {
          0.0001,
          100.0,
          {},
-         "What the search for a first pose thins both clouds to; automatic: a fortieth of the source's radius, "
+         "What the search for a first pose thins both clouds to; automatic: a fortieth of the source's "
+         "radius, "
          "more where the clouds are coarse or noisy."},
         {"search_margin",
          "search-margin",

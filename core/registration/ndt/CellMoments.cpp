@@ -109,28 +109,35 @@ CellMoments finished(const Sums& sums, const VoxelGrid& grid) {
 class KeyIndex {
   public:
     explicit KeyIndex(std::size_t expected)
-        : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), kFree) {}
+        : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), Slot{}) {}
     std::uint32_t placeOf(std::uint64_t key, std::vector<Sums>& sums) {
-        if (2 * (sums.size() + 1) > slots_.size()) grow(sums);
-        std::size_t slot = VoxelGrid::hash(key) & (slots_.size() - 1);
-        for (; slots_[slot] != kFree; slot = (slot + 1) & (slots_.size() - 1))
-            if (sums[slots_[slot]].key == key) return slots_[slot];
-        slots_[slot] = static_cast<std::uint32_t>(sums.size());
-        sums.emplace_back().key = key;
-        return slots_[slot];
+        if (2 * (sums.size() + 1) > slots_.size()) grow();
+        Slot& slot = slotOf(key);
+        if (slot.key != key) {
+            slot = {key, static_cast<std::uint32_t>(sums.size())};
+            sums.emplace_back().key = key;
+        }
+        return slot.place;
     }
 
   private:
-    static constexpr std::uint32_t kFree = ~std::uint32_t{0};
-    void grow(const std::vector<Sums>& sums) {
-        slots_.assign(2 * slots_.size(), kFree);
-        for (std::uint32_t place = 0; place < sums.size(); ++place) {
-            std::size_t slot = VoxelGrid::hash(sums[place].key) & (slots_.size() - 1);
-            while (slots_[slot] != kFree) slot = (slot + 1) & (slots_.size() - 1);
-            slots_[slot] = place;
-        }
+    struct Slot {
+        std::uint64_t key = VoxelGrid::kNoKey;
+        std::uint32_t place = 0;
+    };
+    Slot& slotOf(std::uint64_t key) {
+        std::size_t slot = VoxelGrid::hash(key) & (slots_.size() - 1);
+        while (slots_[slot].key != key && slots_[slot].key != VoxelGrid::kNoKey)
+            slot = (slot + 1) & (slots_.size() - 1);
+        return slots_[slot];
     }
-    std::vector<std::uint32_t> slots_;
+    void grow() {
+        std::vector<Slot> old(2 * slots_.size(), Slot{});
+        old.swap(slots_);
+        for (const Slot& one : old)
+            if (one.key != VoxelGrid::kNoKey) slotOf(one.key) = one;
+    }
+    std::vector<Slot> slots_;
 };
 
 /// The cells of some items, in the order of their first item.

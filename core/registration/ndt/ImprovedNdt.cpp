@@ -62,14 +62,18 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     std::vector<NormalDistributions> surfaces = levels.surfaces(0);
     if (!options.published) {
         // How far the two scans' surfaces lie apart decides how sharp the cells are.
-        const double deviation = typicalDistance(surfaceDistances(surfaces, source, descent.local(source)));
+        const std::vector<float> distances = surfaceDistances(surfaces, source, descent.local(source));
+        const double deviation = typicalDistance(distances);
         surfaces = levels.surfaces(deviation);
         const auto shifted = levels.shiftedSurfaces(deviation);
+        // The level moves by less than a voxel: what lies beside the surfaces now stays there.
+        source = frame.part(source, distances);
         level(NdtScore(surfaces, source, shifted), smallest, true);
         if (!advance()) return fail(cancelledError());
     }
     RegistrationResult& result = descent.result();
     result.notes = levels.notes();
+    if (!options.published) source = sources.at(leaf);
     result.inlierDistance_m = smallest / 2 + 3 * levels.rangeNoise_m();
     setOverlap(result, surfaces, source, descent.local(source));
     return std::move(result);

@@ -72,16 +72,15 @@ class CellLookup {
         _mm256_store_si256(reinterpret_cast<__m256i*>(slots), h.v);
         _mm256_store_si256(reinterpret_cast<__m256i*>(lows), low.v);
         _mm256_store_si256(reinterpret_cast<__m256i*>(highs), high.v);
-        const NormalCell* table = level.table();
+        const std::uint64_t* keys = level.keys();
         unsigned missing = 0;
         for (; wanted != 0; wanted &= wanted - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(wanted));
             const std::uint64_t key = lows[lane] | static_cast<std::uint64_t>(highs[lane]) << 32;
             std::uint32_t slot = slots[lane];
-            while (table[slot].key != key && table[slot].key != VoxelGrid::kNoKey)
-                slot = (slot + 1) & level.mask();
-            cells[lane] = table + slot;
-            if (table[slot].key != key) missing |= 1U << lane;
+            while (keys[slot] != key && keys[slot] != VoxelGrid::kNoKey) slot = (slot + 1) & level.mask();
+            cells[lane] = level.table() + slot;
+            missing |= static_cast<unsigned>(keys[slot] != key) << lane;
         }
         return missing;
     }

@@ -136,14 +136,16 @@ NormalDistributions::NormalDistributions(std::span<const CellMoments> moments, c
     const auto [depth, steepness] =
         scoreShape(median(std::move(positive)), grid.size(), options.outlierRatio);
     table_.resize(std::bit_ceil(std::max<std::size_t>(16, 2 * count_)));
+    keys_.assign(table_.size(), VoxelGrid::kNoKey);
     mask_ = static_cast<std::uint32_t>(table_.size() - 1);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!(determinants[i] > 0)) continue;
         cells[i].depth = depth;
         cells[i].steepness = steepness;
         std::uint32_t slot = VoxelGrid::hash(cells[i].key) & mask_;
-        while (table_[slot].key != VoxelGrid::kNoKey) slot = (slot + 1) & mask_;
+        while (keys_[slot] != VoxelGrid::kNoKey) slot = (slot + 1) & mask_;
         table_[slot] = cells[i];
+        keys_[slot] = cells[i].key;
     }
 }
 

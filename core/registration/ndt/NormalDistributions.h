@@ -55,8 +55,8 @@ class NormalDistributions {
     const NormalCell* find(double x, double y, double z) const { return findKey(grid_.key(x, y, z)); }
     const NormalCell* findKey(std::uint64_t key) const {
         std::uint32_t slot = VoxelGrid::hash(key) & mask_;
-        while (table_[slot].key != key) {
-            if (table_[slot].key == VoxelGrid::kNoKey) return nullptr;
+        while (keys_[slot] != key) {
+            if (keys_[slot] == VoxelGrid::kNoKey) return nullptr;
             slot = (slot + 1) & mask_;
         }
         return key == VoxelGrid::kNoKey ? nullptr : &table_[slot];
@@ -64,6 +64,8 @@ class NormalDistributions {
     const VoxelGrid& grid() const { return grid_; }
     /// Open addressing with linear probing; `mask()` + 1 slots, those without a cell have kNoKey.
     const NormalCell* table() const { return table_.data(); }
+    /// The keys of the slots once more, close together: most of a search's steps find nothing.
+    const std::uint64_t* keys() const { return keys_.data(); }
     std::uint32_t mask() const { return mask_; }
     std::size_t size() const { return count_; }
     const FlatnessCount& flatness() const { return flatness_; }
@@ -71,6 +73,7 @@ class NormalDistributions {
   private:
     VoxelGrid grid_;
     std::vector<NormalCell> table_;
+    std::vector<std::uint64_t> keys_;
     std::uint32_t mask_ = 0;
     std::size_t count_ = 0;
     FlatnessCount flatness_;

@@ -12,6 +12,8 @@ constexpr double kPublishedFactor = 0.8;
 constexpr double kFactor = 0.5;
 /// Whole cells bring the pose near enough for the surfaces at this share of v0; smaller ones add nothing.
 constexpr double kLastWhole = 1.0 / 4;
+/// As every point counts in the smallest cell that holds it, v_n may leave most points to larger ones.
+constexpr double kVotingShare = 0.1;
 /// Flat cells that hold less than this share of the target cannot hold the source.
 constexpr double kLeastFlat = 0.15;
 /// A surface is as thin as its points lie; cells of few points may look thinner than any scanner measures.
@@ -45,15 +47,16 @@ void TargetLevels::choose(std::size_t targetPoints) {
     std::vector<FlatnessCount> counts;
     const double finest = finestOf(options_);
     const double factor = options_.published ? kPublishedFactor : kFactor;
+    const double share = options_.published || options_.shiftedGrids > 1 ? 0.5 : kVotingShare;
     std::vector<NormalDistributions> cells;
     for (const double size : voxelSchedule(std::max(options_.voxelStart_m, finest), finest, factor)) {
         cells.push_back(at(VoxelGrid(size), options_.distributions));
         counts.push_back(cells.back().flatness());
-        if (!options_.voxel_m && pastHalfOfPoints(counts, targetPoints)) break;
+        if (!options_.voxel_m && pastLeastShare(counts, targetPoints, share)) break;
     }
     std::size_t chosen = cells.size() - 1;
     if (!options_.voxel_m) {
-        chosen = finestByFlatness(counts, targetPoints, options_.voxelCeiling_m);
+        chosen = finestByFlatness(counts, targetPoints, options_.voxelCeiling_m, share);
         notes_.push_back("Smallest voxel " + fixedText(counts[chosen].voxel_m, 3) + " m, where " +
                          fixedText(100 * counts[chosen].ratio(), 0) + " % of the target's cells are flat");
     }
@@ -66,13 +69,14 @@ void TargetLevels::choose(std::size_t targetPoints) {
         const double least = std::max(kLastWhole * options_.voxelStart_m * (1 - 1e-9), 1.5 * smallest_);
         if (!options_.published && i > 0 && size < least) break;
         sizes_.push_back(size);
-        if (!options_.published) cells_.push_back(at(VoxelGrid(size, size / 2), options_.distributions));
+        if (!options_.published && i == 0)
+            cells_.push_back(at(VoxelGrid(size, size / 2), options_.distributions));
         cells_.push_back(std::move(cells[i]));
     }
 }
 
 std::span<const NormalDistributions> TargetLevels::seen(std::size_t level) const {
-    return options_.published ? std::span(cells_).subspan(level, 1) : std::span(cells_).first(2 * level + 2);
+    return options_.published ? std::span(cells_).subspan(level, 1) : std::span(cells_).first(level + 2);
 }
 
 NormalDistributions TargetLevels::at(const VoxelGrid& grid, const DistributionOptions& options) const {
@@ -93,7 +97,8 @@ std::vector<NormalDistributions> TargetLevels::surfaces(double deviation_m) cons
     while (2 * sizes.back() <= 0.5 * options_.voxelStart_m * (1 + 1e-9)) sizes.push_back(2 * sizes.back());
     std::vector<NormalDistributions> levels;
     for (std::size_t i = sizes.size(); i-- > 0;) {
-        if (i > 0) levels.push_back(at(VoxelGrid(sizes[i], sizes[i] / 2), surfaceOptions(deviation_m)));
+        if (i + 1 == sizes.size())
+            levels.push_back(at(VoxelGrid(sizes[i], sizes[i] / 2), surfaceOptions(deviation_m)));
         levels.push_back(at(VoxelGrid(sizes[i]), surfaceOptions(deviation_m)));
     }
     return levels;

@@ -36,8 +36,8 @@ class TargetLevels {
     ImprovedNdtOptions options_;
     MomentPyramid pyramid_;
     std::vector<double> sizes_;
-    /// Of each size: the grid, before it (published: not) the same shifted by half a cell, for what lies just
-    /// beyond a face that all sizes share.
+    /// Of each size; before them (published: not) v0 shifted by half a cell, for what lies just beyond a face
+    /// that all sizes share.
     std::vector<NormalDistributions> cells_;
     double smallest_ = 0;
     bool flatHold_ = true;

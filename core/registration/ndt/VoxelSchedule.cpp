@@ -5,8 +5,8 @@
 namespace vestige {
 namespace {
 
-bool holdsHalfOfPoints(const FlatnessCount& count, std::size_t targetPoints) {
-    return 2 * count.points >= targetPoints;
+bool holdsShare(const FlatnessCount& count, std::size_t targetPoints, double share) {
+    return static_cast<double>(count.points) >= share * static_cast<double>(targetPoints);
 }
 
 }  // namespace
@@ -19,25 +19,26 @@ std::vector<double> voxelSchedule(double start, double finest, double factor) {
     return sizes;
 }
 
-bool pastHalfOfPoints(const std::vector<FlatnessCount>& counts, std::size_t targetPoints) {
-    if (counts.empty() || holdsHalfOfPoints(counts.back(), targetPoints)) return false;
-    return std::any_of(counts.begin(), counts.end(),
-                       [&](const FlatnessCount& count) { return holdsHalfOfPoints(count, targetPoints); });
+bool pastLeastShare(const std::vector<FlatnessCount>& counts, std::size_t targetPoints, double leastShare) {
+    if (counts.empty() || holdsShare(counts.back(), targetPoints, leastShare)) return false;
+    return std::any_of(counts.begin(), counts.end(), [&](const FlatnessCount& count) {
+        return holdsShare(count, targetPoints, leastShare);
+    });
 }
 
 std::size_t finestByFlatness(const std::vector<FlatnessCount>& counts, std::size_t targetPoints,
-                             double ceiling) {
+                             double ceiling, double leastShare) {
     double largest = -1;
     std::size_t smallest = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (!holdsHalfOfPoints(counts[i], targetPoints)) continue;
+        if (!holdsShare(counts[i], targetPoints, leastShare)) continue;
         smallest = i;
         if (counts[i].voxel_m <= ceiling) largest = std::max(largest, counts[i].ratio());
     }
     if (largest < 0) return smallest;
     std::size_t chosen = smallest;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        if (holdsHalfOfPoints(counts[i], targetPoints) && counts[i].voxel_m <= ceiling &&
+        if (holdsShare(counts[i], targetPoints, leastShare) && counts[i].voxel_m <= ceiling &&
             counts[i].ratio() >= largest - 0.01)
             chosen = i;
     return chosen;

@@ -149,7 +149,7 @@ TEST(VoxelSchedule, TheSmallestOfTheFlattestSizesThatHoldHalfOfThePoints) {
     EXPECT_EQ(finestByFlatness(counts, 1000), 2U);
     EXPECT_EQ(finestByFlatness(counts, 1000, 0.5), 3U);
     EXPECT_EQ(finestByFlatness(counts, 1000, 0.1), 3U);
-    EXPECT_TRUE(pastHalfOfPoints(counts, 1000));
+    EXPECT_TRUE(pastLeastShare(counts, 1000));
     EXPECT_EQ(finestByFlatness({{1, 10, 5, 100}}, 1000), 0U);
 }
 
