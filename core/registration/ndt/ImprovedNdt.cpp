@@ -16,6 +16,10 @@ constexpr double kSourcePerVoxel = 1.0 / 8;
 /// Before the last level a pose is good enough when the next step is shorter than this share of the voxel.
 constexpr double kStepPerVoxel = 1.0 / 1000;
 constexpr double kFirstBound = 1.0 / 4;
+/// The first pass over surfaces: its smallest cell against v_n, its least thickness against the whole cells.
+constexpr double kMiddle = 4;
+constexpr double kReach = 1.0 / 32;
+constexpr double kInlierPerStart = 1.0 / 32;
 
 TrustRegionOptions limitsOf(const ImprovedNdtOptions& options, double voxel, bool last) {
     TrustRegionOptions limits = options.trustRegion;
@@ -36,7 +40,7 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     const double smallest = levels.smallest();
     const double leaf = options.leaf_m.value_or(options.published ? smallest / 2 : smallest);
     const SourceLevels sources(frame, leaf);
-    const std::size_t count = levels.wholeLevels() + (options.published ? 0 : 1);
+    const std::size_t count = levels.wholeLevels() + (options.published ? 0 : 2);
     Descent descent(frame, initial, watch, static_cast<int>(count));
     const auto advance = [&] {
         const double done = static_cast<double>(descent.result().levels.size());
@@ -59,12 +63,18 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         if (!advance()) return fail(cancelledError());
     }
     if (!options.published) source = sources.at(leaf);
-    std::vector<NormalDistributions> surfaces = levels.surfaces(0);
+    std::vector<NormalDistributions> surfaces;
     if (!options.published) {
-        // How far the two scans' surfaces lie apart decides how sharp the cells are.
+        // What few surfaces hold may still be a whole level's error away: cells as thin as the scans lie
+        // apart would not reach that far.
+        const double middle = std::max(smallest, std::min(kMiddle * smallest, levels.largestSurface()));
+        const double whole = levels.size(levels.wholeLevels() - 1);
+        surfaces = levels.surfaces(kReach * whole, middle);
+        level(NdtScore(surfaces, source), middle, false);
+        surfaces = levels.surfaces(0, smallest);
         const std::vector<float> distances = surfaceDistances(surfaces, source, descent.local(source));
         const double deviation = typicalDistance(distances);
-        surfaces = levels.surfaces(deviation);
+        surfaces = levels.surfaces(deviation, smallest);
         const auto shifted = levels.shiftedSurfaces(deviation);
         // The level moves by less than a voxel: what lies beside the surfaces now stays there.
         source = frame.part(source, distances);
@@ -74,8 +84,16 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     RegistrationResult& result = descent.result();
     result.notes = levels.notes();
     if (!options.published) source = sources.at(leaf);
-    result.inlierDistance_m = smallest / 2 + 3 * levels.rangeNoise_m();
-    setOverlap(result, surfaces, source, descent.local(source));
+    double inlier = smallest / 2;
+    std::vector<NormalDistributions> explaining = std::move(surfaces);
+    if (!options.published) {
+        // To lie on the target a point needs no flat cell.
+        const auto whole = levels.seen(levels.wholeLevels() - 1);
+        explaining.insert(explaining.begin(), whole.begin(), whole.end());
+        inlier = std::max(inlier, kInlierPerStart * options.voxelStart_m);
+    }
+    result.inlierDistance_m = inlier + 3 * levels.rangeNoise_m();
+    setOverlap(result, explaining, source, descent.local(source));
     return std::move(result);
 }
 

@@ -92,9 +92,9 @@ DistributionOptions TargetLevels::surfaceOptions(double deviation_m) const {
     return options;
 }
 
-std::vector<NormalDistributions> TargetLevels::surfaces(double deviation_m) const {
-    std::vector<double> sizes{smallest_};
-    while (2 * sizes.back() <= 0.5 * options_.voxelStart_m * (1 + 1e-9)) sizes.push_back(2 * sizes.back());
+std::vector<NormalDistributions> TargetLevels::surfaces(double deviation_m, double finest) const {
+    std::vector<double> sizes{finest};
+    while (2 * sizes.back() <= largestSurface() * (1 + 1e-9)) sizes.push_back(2 * sizes.back());
     std::vector<NormalDistributions> levels;
     for (std::size_t i = sizes.size(); i-- > 0;) {
         if (i + 1 == sizes.size())
@@ -102,6 +102,10 @@ std::vector<NormalDistributions> TargetLevels::surfaces(double deviation_m) cons
         levels.push_back(at(VoxelGrid(sizes[i]), surfaceOptions(deviation_m)));
     }
     return levels;
+}
+
+double TargetLevels::largestSurface() const {
+    return std::max(smallest_, kLastWhole * options_.voxelStart_m);
 }
 
 std::vector<NormalDistributions> TargetLevels::shiftedSurfaces(double deviation_m) const {

@@ -140,7 +140,9 @@ TEST(Register, AHandheldScanInMillimetresOnANoisyScene) {
     const Eigen::Vector3d middle = handheld.bounds().centre() * 0.001;
     Pose start = disturbed(truth.pose, 0.05, 2, 7);
     start.translation() += truth.pose * middle - start * middle;
-    const auto result = registered({aerial, {}}, {handheld, {}}, {start, 0.001});
+    // The verdict on it is another matter: of a pose this near some planes agree in few directions.
+    const auto result = attemptRegistration({aerial, {}}, {handheld, {}}, {start, 0.001},
+                                            ParameterSet(registrationParameters()));
     ASSERT_TRUE(result) << result.error().sentence();
     EXPECT_EQ(result->targetFromSource.scale, 0.001);
     EXPECT_LT(distanceAt(result->targetFromSource.pose, truth.pose, middle), 0.01);
