@@ -36,6 +36,7 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
         paper ? std::min(kFloor_m, options.voxelStart_m / 20) : options.voxelStart_m / (small ? 16 : 32);
     options.leaf_m = parameters.optionalReal("leaf_m");
     options.published = paper;
+    options.startFan = !paper && !startError_m;
     // Where the cells are few, or larger than the data would have them, it matters where their faces lie.
     if (!paper && (startError_m || small || options.voxel_m)) options.shiftedGrids = 4;
     if (options.voxel_m && !options.leaf_m) options.leaf_m = *options.voxel_m / 2;

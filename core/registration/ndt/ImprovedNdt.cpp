@@ -1,10 +1,12 @@
 #include "core/registration/ndt/ImprovedNdt.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "core/registration/Descent.h"
 #include "core/registration/OverlapQuality.h"
 #include "core/registration/SourceLevels.h"
+#include "core/registration/ndt/StartFan.h"
 #include "core/registration/ndt/TargetLevels.h"
 
 namespace vestige {
@@ -19,6 +21,7 @@ constexpr double kFirstBound = 1.0 / 4;
 /// The first pass over surfaces: its smallest cell against v_n, its least thickness against the whole cells.
 constexpr double kMiddle = 4;
 constexpr double kReach = 1.0 / 32;
+constexpr double kFanThinning = 1.0 / 4;
 constexpr double kInlierPerStart = 1.0 / 32;
 
 TrustRegionOptions limitsOf(const ImprovedNdtOptions& options, double voxel, bool last) {
@@ -41,26 +44,45 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     const double leaf = options.leaf_m.value_or(options.published ? smallest / 2 : smallest);
     const SourceLevels sources(frame, leaf);
     const std::size_t count = levels.wholeLevels() + (options.published ? 0 : 2);
-    Descent descent(frame, initial, watch, static_cast<int>(count));
+    auto descent = std::make_unique<Descent>(frame, initial, watch, static_cast<int>(count));
     const auto advance = [&] {
-        const double done = static_cast<double>(descent.result().levels.size());
+        const double done = static_cast<double>(descent->result().levels.size());
         control.progress(0.4 + 0.5 * done / static_cast<double>(count), "registration");
         return !control.cancelled();
     };
     if (control.cancelled()) return fail(cancelledError());
     CentredSource source;
     const auto level = [&](const NdtScore& score, double voxel, bool last) {
-        descent.record(
-            minimise([&](const Pose& pose) { return score(pose); }, descent.local(source), source.radius,
-                     limitsOf(options, voxel, last), descent.observer(source, voxel)),
+        descent->record(
+            minimise([&](const Pose& pose) { return score(pose); }, descent->local(source), source.radius,
+                     limitsOf(options, voxel, last), descent->observer(source, voxel)),
             source, voxel);
     };
-    for (std::size_t i = 0; i < levels.wholeLevels(); ++i) {
-        const double voxel = levels.size(i);
-        source = sources.at(kSourcePerVoxel * voxel);
-        if (Status status = checkSource(source); !status) return fail(status.error());
-        level(NdtScore(levels.seen(i), source), voxel, i + 1 == count);
-        if (!advance()) return fail(cancelledError());
+    const auto descend = [&]() -> Status {
+        for (std::size_t i = 0; i < levels.wholeLevels(); ++i) {
+            const double voxel = levels.size(i);
+            source = sources.at(kSourcePerVoxel * voxel);
+            if (Status status = checkSource(source); !status) return status;
+            level(NdtScore(levels.seen(i), source), voxel, i + 1 == count);
+            if (!advance()) return fail(cancelledError());
+        }
+        return {};
+    };
+    if (Status status = descend(); !status) return fail(status.error());
+    if (options.startFan && explainsTooLittle(levels, source, descent->local(source))) {
+        const CentredSource coarse = sources.at(kFanThinning * levels.size(0));
+        const auto starts = startFan(levels, coarse, frame.toLocal(initial.pose, coarse),
+                                     limitsOf(options, levels.size(0), false));
+        std::unique_ptr<Descent> best = std::move(descent);
+        for (const Pose& start : starts) {
+            descent =
+                std::make_unique<Descent>(frame, Similarity{frame.toWorld(start, coarse), initial.scale},
+                                          watch, static_cast<int>(count));
+            if (Status status = descend(); !status) return fail(status.error());
+            if (descent->result().levels.back().score < best->result().levels.back().score)
+                best = std::move(descent);
+        }
+        descent = std::move(best);
     }
     if (!options.published) source = sources.at(leaf);
     std::vector<NormalDistributions> surfaces;
@@ -72,7 +94,7 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         surfaces = levels.surfaces(kReach * whole, middle);
         level(NdtScore(surfaces, source), middle, false);
         surfaces = levels.surfaces(0, smallest);
-        const std::vector<float> distances = surfaceDistances(surfaces, source, descent.local(source));
+        const std::vector<float> distances = surfaceDistances(surfaces, source, descent->local(source));
         const double deviation = typicalDistance(distances);
         surfaces = levels.surfaces(deviation, smallest);
         const auto shifted = levels.shiftedSurfaces(deviation);
@@ -81,7 +103,7 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         level(NdtScore(surfaces, source, shifted), smallest, true);
         if (!advance()) return fail(cancelledError());
     }
-    RegistrationResult& result = descent.result();
+    RegistrationResult& result = descent->result();
     result.notes = levels.notes();
     if (!options.published) source = sources.at(leaf);
     double inlier = smallest / 2;
@@ -93,7 +115,7 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         inlier = std::max(inlier, kInlierPerStart * options.voxelStart_m);
     }
     result.inlierDistance_m = inlier + 3 * levels.rangeNoise_m();
-    setOverlap(result, explaining, source, descent.local(source));
+    setOverlap(result, explaining, source, descent->local(source));
     return std::move(result);
 }
 

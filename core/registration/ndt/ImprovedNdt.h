@@ -25,6 +25,8 @@ struct ImprovedNdtOptions {
     /// Grids, shifted against each other, whose mean score the last stage takes: where the faces of one grid
     /// lie would move a small source by a centimetre.
     int shiftedGrids = 1;
+    /// Tries a fan of other starts where the first pose leads to one that explains too little of the source.
+    bool startFan = false;
     /// Takes DistributionOptions::rangeNoise_m from the target itself, at v0.
     bool estimateNoise = false;
     DistributionOptions distributions;
