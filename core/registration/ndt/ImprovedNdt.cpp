@@ -93,7 +93,6 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         const double whole = levels.size(levels.wholeLevels() - 1);
         surfaces = levels.surfaces(kReach * whole, middle);
         level(NdtScore(surfaces, source), middle, false);
-        surfaces = levels.surfaces(0, smallest);
         const std::vector<float> distances = surfaceDistances(surfaces, source, descent->local(source));
         const double deviation = typicalDistance(distances);
         surfaces = levels.surfaces(deviation, smallest);
@@ -106,14 +105,12 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     RegistrationResult& result = descent->result();
     result.notes = levels.notes();
     if (!options.published) source = sources.at(leaf);
+    // To lie on the target a point needs no flat cell.
+    const auto whole = levels.seen(levels.wholeLevels() - 1);
+    std::vector<NormalDistributions> explaining(whole.begin(), whole.end());
+    explaining.insert(explaining.end(), surfaces.begin(), surfaces.end());
     double inlier = smallest / 2;
-    std::vector<NormalDistributions> explaining = std::move(surfaces);
-    if (!options.published) {
-        // To lie on the target a point needs no flat cell.
-        const auto whole = levels.seen(levels.wholeLevels() - 1);
-        explaining.insert(explaining.begin(), whole.begin(), whole.end());
-        inlier = std::max(inlier, kInlierPerStart * options.voxelStart_m);
-    }
+    if (!options.published) inlier = std::max(inlier, kInlierPerStart * options.voxelStart_m);
     result.inlierDistance_m = inlier + 3 * levels.rangeNoise_m();
     setOverlap(result, explaining, source, descent->local(source));
     return std::move(result);

@@ -14,6 +14,11 @@ constexpr double kFactor = 0.5;
 constexpr double kLastWhole = 1.0 / 4;
 /// As every point counts in the smallest cell that holds it, v_n may leave most points to larger ones.
 constexpr double kVotingShare = 0.1;
+/// The largest flat cells against v0. Those of half of v0 hold what sparse scans have far off; on small
+/// sources, and under cells of a size that the user chose, which may be large, they would drag on lawns by
+/// centimetres.
+constexpr double kLargestFlat = 1.0 / 2;
+constexpr double kLargestShifted = 1.0 / 4;
 /// Flat cells that hold less than this share of the target cannot hold the source.
 constexpr double kLeastFlat = 0.15;
 /// A surface is as thin as its points lie; cells of few points may look thinner than any scanner measures.
@@ -105,7 +110,8 @@ std::vector<NormalDistributions> TargetLevels::surfaces(double deviation_m, doub
 }
 
 double TargetLevels::largestSurface() const {
-    return std::max(smallest_, kLastWhole * options_.voxelStart_m);
+    const double share = options_.shiftedGrids > 1 ? kLargestShifted : kLargestFlat;
+    return std::max(smallest_, share * options_.voxelStart_m);
 }
 
 std::vector<NormalDistributions> TargetLevels::shiftedSurfaces(double deviation_m) const {
