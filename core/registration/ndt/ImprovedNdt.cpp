@@ -43,7 +43,9 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     const double smallest = levels.smallest();
     const double leaf = options.leaf_m.value_or(options.published ? smallest / 2 : smallest);
     const SourceLevels sources(frame, leaf);
-    const std::size_t count = levels.wholeLevels() + (options.published ? 0 : 2);
+    const std::size_t count = levels.wholeLevels() + (options.published           ? 0
+                                                      : options.shiftedGrids == 1 ? 2
+                                                                                  : 1);
     auto descent = std::make_unique<Descent>(frame, initial, watch, static_cast<int>(count));
     const auto advance = [&] {
         const double done = static_cast<double>(descent->result().levels.size());
@@ -73,14 +75,22 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         const CentredSource coarse = sources.at(kFanThinning * levels.size(0));
         const auto starts = startFan(levels, coarse, frame.toLocal(initial.pose, coarse),
                                      limitsOf(options, levels.size(0), false));
+        // Scans that overlap little explain little at the right pose, too: only one that explains enough
+        // counts.
+        const RegistrationWatch nobody;
         std::unique_ptr<Descent> best = std::move(descent);
+        double bestScore = 0;
         for (const Pose& start : starts) {
             descent =
                 std::make_unique<Descent>(frame, Similarity{frame.toWorld(start, coarse), initial.scale},
-                                          watch, static_cast<int>(count));
+                                          nobody, static_cast<int>(count));
             if (Status status = descend(); !status) return fail(status.error());
-            if (descent->result().levels.back().score < best->result().levels.back().score)
-                best = std::move(descent);
+            const double score = descent->result().levels.back().score;
+            if (score >= bestScore || explainsTooLittle(levels, source, descent->local(source))) continue;
+            bestScore = score;
+            best = std::make_unique<Descent>(frame, descent->result().targetFromSource, watch,
+                                             static_cast<int>(count));
+            best->result() = descent->result();
         }
         descent = std::move(best);
     }
