@@ -234,7 +234,7 @@ const ParameterTable& registrationParameters() {
          "Margin between first poses",
          "",
          real,
-         0.1,
+         0.07,
          0.0,
          1.0,
          {},

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
@@ -124,6 +125,7 @@ void measure(const Pair& pair, int trials) {
     int right = 0;
     int ambiguous = 0;
     int wrong = 0;
+    double processor = 0;
     std::vector<double> search, total;
     const bool verbose = std::getenv("VESTIGE_AUTO_VERBOSE") != nullptr;
     for (int trial = 0; trial < trials; ++trial) {
@@ -136,11 +138,13 @@ void measure(const Pair& pair, int trials) {
         const Eigen::Vector3d middle = away * pair.source.bounds().centre();
         ParameterSet parameters(registrationParameters());
         const auto begin = std::chrono::steady_clock::now();
+        const std::clock_t spent = std::clock();
         const auto seconds = [&] {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         };
         const auto found = findFirstPose({pair.target, {}}, {moved, {}}, {}, parameters);
         search.push_back(seconds());
+        processor += static_cast<double>(std::clock() - spent) / CLOCKS_PER_SEC;
         if (!found) {
             if (verbose)
                 std::printf("%s %d: %s\n", pair.name.c_str(), trial, found.error().sentence().c_str());
@@ -177,9 +181,9 @@ void measure(const Pair& pair, int trials) {
     }
     std::sort(search.begin(), search.end());
     std::sort(total.begin(), total.end());
-    std::printf("| %s | %zu | %zu | %d of %d | %d | %d | %.2f | %.2f | %.2f |\n", pair.name.c_str(),
+    std::printf("| %s | %zu | %zu | %d of %d | %d | %d | %.2f | %.2f | %.2f | %.2f |\n", pair.name.c_str(),
                 pair.target.size(), pair.source.size(), right, trials, ambiguous, wrong,
-                search[search.size() / 2], total[total.size() / 2], total.back());
+                search[search.size() / 2], processor / trials, total[total.size() / 2], total.back());
     std::fflush(stdout);
 }
 
@@ -189,7 +193,9 @@ int main(int argc, char** argv) {
     if (argc < 3)
         stop(
             "auto_table TRIALS NAME=TARGET,SOURCE,TRUTH,METRES_PER_UNIT,SHIFT_M,TURN_DEG[,SIDE_M,POINTS]...");
-    std::printf("| pair | target | source | right | ambiguous | wrong | search s | all s | worst s |\n");
-    std::printf("|---|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| pair | target | source | right | ambiguous | wrong | search s | of processor | all s | worst s "
+        "|\n");
+    std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
     for (int i = 2; i < argc; ++i) measure(readPair(argv[i]), std::atoi(argv[1]));
 }

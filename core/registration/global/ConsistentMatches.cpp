@@ -1,8 +1,12 @@
 #include "core/registration/global/ConsistentMatches.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/base/Parallel.h"
@@ -60,31 +64,57 @@ bool alike(float a, float b) {
     return std::abs(std::abs(a) - std::abs(b)) < kNormalTolerance;
 }
 
+/// Points as three arrays, padded to whole steps of eight with points far away from everything.
+struct PointColumns {
+    explicit PointColumns(const std::vector<Eigen::Vector3f>& points) : size((points.size() + 7) / 8 * 8) {
+        for (int axis = 0; axis < 3; ++axis) {
+            along[axis].assign(size, std::numeric_limits<float>::infinity());
+            for (std::size_t i = 0; i < points.size(); ++i) along[axis][i] = points[i][axis];
+        }
+    }
+    /// Distances of the points at ... at + 7 from `from`.
+    __m256 distances(std::size_t at, const Eigen::Vector3f& from) const {
+        const __m256 x = _mm256_sub_ps(_mm256_loadu_ps(along[0].data() + at), _mm256_set1_ps(from.x()));
+        const __m256 y = _mm256_sub_ps(_mm256_loadu_ps(along[1].data() + at), _mm256_set1_ps(from.y()));
+        const __m256 z = _mm256_sub_ps(_mm256_loadu_ps(along[2].data() + at), _mm256_set1_ps(from.z()));
+        return _mm256_sqrt_ps(_mm256_fmadd_ps(z, z, _mm256_fmadd_ps(y, y, _mm256_mul_ps(x, x))));
+    }
+    std::array<std::vector<float>, 3> along;
+    std::size_t size;
+};
+
+/// Whether the angles of two matches' normals, to each other and to the line between them, are alike.
+bool anglesAgree(const MatchedPoints& points, std::size_t i, std::size_t j) {
+    const Eigen::Vector3f d = (points.source[j] - points.source[i]).normalized();
+    const Eigen::Vector3f e = (points.target[j] - points.target[i]).normalized();
+    return alike(points.sourceNormal[i].dot(points.sourceNormal[j]),
+                 points.targetNormal[i].dot(points.targetNormal[j])) &&
+           alike(points.sourceNormal[i].dot(d), points.targetNormal[i].dot(e)) &&
+           alike(points.sourceNormal[j].dot(d), points.targetNormal[j].dot(e));
+}
+
 Agreement agreements(const MatchedPoints& points, const ConsistencyOptions& options) {
     const std::size_t count = points.source.size();
     Agreement agreement(count);
-    const auto tolerance = static_cast<float>(options.tolerance_m);
-    const auto least = static_cast<float>(options.leastDistance_m);
+    const PointColumns source(points.source);
+    const PointColumns target(points.target);
+    const __m256 tolerance = _mm256_set1_ps(static_cast<float>(options.tolerance_m));
+    const __m256 least = _mm256_set1_ps(static_cast<float>(options.leastDistance_m));
+    const __m256 sign = _mm256_set1_ps(-0.0F);
     parallelFor(count, kRowGrain, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> inSource(count), inTarget(count);
         for (std::size_t i = begin; i < end; ++i) {
-            for (std::size_t j = 0; j < count; ++j) {
-                inSource[j] = (points.source[j] - points.source[i]).squaredNorm();
-                inTarget[j] = (points.target[j] - points.target[i]).squaredNorm();
-            }
             const auto row = agreement.row(i);
-            for (std::size_t j = 0; j < count; ++j) {
-                const float a = std::sqrt(inSource[j]);
-                const float b = std::sqrt(inTarget[j]);
-                if (!(std::abs(a - b) < tolerance) || a < least || b < least) continue;
-                const Eigen::Vector3f d = (points.source[j] - points.source[i]) / a;
-                const Eigen::Vector3f e = (points.target[j] - points.target[i]) / b;
-                if (!alike(points.sourceNormal[i].dot(points.sourceNormal[j]),
-                           points.targetNormal[i].dot(points.targetNormal[j])) ||
-                    !alike(points.sourceNormal[i].dot(d), points.targetNormal[i].dot(e)) ||
-                    !alike(points.sourceNormal[j].dot(d), points.targetNormal[j].dot(e)))
-                    continue;
-                row[j / 64] |= std::uint64_t{1} << (j % 64);
+            for (std::size_t at = 0; at < source.size; at += 8) {
+                const __m256 a = source.distances(at, points.source[i]);
+                const __m256 b = target.distances(at, points.target[i]);
+                const __m256 alikeLong =
+                    _mm256_cmp_ps(_mm256_andnot_ps(sign, _mm256_sub_ps(a, b)), tolerance, _CMP_LT_OQ);
+                const __m256 longEnough = _mm256_cmp_ps(_mm256_min_ps(a, b), least, _CMP_GE_OQ);
+                auto mask = static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(alikeLong, longEnough)));
+                for (; mask != 0; mask &= mask - 1) {
+                    const std::size_t j = at + static_cast<std::size_t>(std::countr_zero(mask));
+                    if (anglesAgree(points, i, j)) row[j / 64] |= std::uint64_t{1} << (j % 64);
+                }
             }
         }
     });

@@ -22,8 +22,7 @@ constexpr double kLeastScore = 0.1;
 /// A better score than this needs no second look with other voxels, unless it has rivals.
 constexpr double kConvincing = 0.35;
 constexpr double kOtherVoxel = 1.5;
-/// Poses are judged on surfels of this share of the search's voxel: edges blur larger ones.
-constexpr double kJudgeShare = 0.5;
+constexpr std::size_t kOwnPoints = 200000;
 /// A source smaller than this share of the target is a local scan: what surrounds its place must not pull it
 /// away, so the registration is told how good the first pose is.
 constexpr double kLocal = 0.25;
@@ -47,11 +46,15 @@ struct UnitSearch {
     double voxel_m = 0;
 };
 
-Surfels seenFrom(Surfels surfels, const Eigen::Vector3d& origin) {
-    const Eigen::Vector3f offset = (surfels.origin - origin).cast<float>();
-    for (Eigen::Vector3f& point : surfels.points) point += offset;
-    surfels.origin = origin;
-    return surfels;
+/// At most `count` points of the cloud, spread over its order.
+std::vector<Eigen::Vector3f> metresFrom(const Eigen::Vector3d& origin, const PointCloud& cloud, double scale,
+                                        std::size_t count) {
+    std::vector<Eigen::Vector3f> points(std::min(count, cloud.size()));
+    parallelFor(points.size(), 65536, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            points[i] = (scale * cloud.point(i * cloud.size() / points.size()) - origin).cast<float>();
+    });
+    return points;
 }
 
 UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, double scale,
@@ -64,14 +67,10 @@ UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, do
     const Surfels here = surfelsOf(source, scale, search.voxel_m, control);
     const Surfels there = surfelsOf(target, 1, search.voxel_m, control);
     if (here.size() < kFewestSurfels || there.size() < kFewestSurfels) return search;
-    std::vector<Eigen::Vector3f> points(target.size());
-    parallelFor(target.size(), 65536, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) points[i] = (target.point(i) - there.origin).cast<float>();
-    });
+    const std::vector<Eigen::Vector3f> points = metresFrom(there.origin, target, 1, target.size());
+    const std::vector<Eigen::Vector3f> own = metresFrom(here.origin, source, scale, kOwnPoints);
     std::vector<ProposedPose> proposals = proposePoses(there, here, kProposed, control.sub(0, 0.4));
-    const Surfels fine =
-        seenFrom(surfelsOf(source, scale, kJudgeShare * search.voxel_m, control), here.origin);
-    std::vector<JudgedPose> judged = judgePoses(points, fine, proposals);
+    std::vector<JudgedPose> judged = judgePoses(points, here, own, proposals);
     const bool convincing = !judged.empty() && judged[0].evidence.score() > kConvincing &&
                             (judged.size() < 2 || !rivals(judged[1], judged[0], margin));
     if (!convincing) {
@@ -84,7 +83,7 @@ UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, do
                 pose.targetFromSource.linear() * (coarseHere.origin - here.origin);
             proposals.push_back(pose);
         }
-        judged = judgePoses(points, fine, proposals);
+        judged = judgePoses(points, here, own, proposals);
     }
     for (const JudgedPose& one : judged) {
         Similarity world{one.targetFromSource, scale};

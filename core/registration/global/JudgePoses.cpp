@@ -10,11 +10,11 @@ namespace vestige {
 namespace {
 
 // Lengths in voxels of the source's surfels.
-constexpr double kFirstTolerance = 1.2;
-constexpr double kSecondTolerance = 0.6;
-constexpr double kReach = 4;
-constexpr double kLeastSigma = 0.1;
-constexpr double kSameShift = 6;
+constexpr double kFirstTolerance = 0.6;
+constexpr double kSecondTolerance = 0.3;
+constexpr double kReach = 2;
+constexpr double kLeastSigma = 0.05;
+constexpr double kSameShift = 3;
 
 constexpr std::size_t kPointsToRefine = 20000;
 constexpr std::size_t kPointsToJudge = 60000;
@@ -43,10 +43,11 @@ std::vector<Eigen::Vector3f> spread(const std::vector<Eigen::Vector3f>& points, 
 }  // namespace
 
 std::vector<JudgedPose> judgePoses(std::span<const Eigen::Vector3f> target, const Surfels& source,
+                                   std::span<const Eigen::Vector3f> points,
                                    std::span<const ProposedPose> proposals) {
     const double voxel = source.voxel_m;
     const SurfaceLookup surface(source, voxel);
-    const std::vector<float> weights = directionWeights(source);
+    const SurfaceReference reference = surfaceReference(points, surface);
     const float reach = reachOf(source);
     std::vector<JudgedPose> judged(proposals.size());
     std::vector<std::vector<float>> offsets(proposals.size());
@@ -56,11 +57,11 @@ std::vector<JudgedPose> judgePoses(std::span<const Eigen::Vector3f> target, cons
             const auto near =
                 spread(pointsNear(target, pose.translation().cast<float>(), reach), kPointsToJudge);
             const auto few = spread(near, kPointsToRefine);
-            const SurfaceCheck rough(few, surface, weights);
+            const SurfaceCheck rough(few, surface, reference);
             pose = rough.refined(pose, kFirstTolerance * voxel, 6);
             pose = rough.refined(pose, kSecondTolerance * voxel, 8);
             judged[i].targetFromSource = pose;
-            offsets[i] = SurfaceCheck(near, surface, weights).offsets(pose, kReach * voxel);
+            offsets[i] = SurfaceCheck(near, surface, reference).offsets(pose, kReach * voxel);
         }
     });
     std::size_t most = 0;
@@ -69,7 +70,7 @@ std::vector<JudgedPose> judgePoses(std::span<const Eigen::Vector3f> target, cons
     for (const auto& one : offsets) sigma_m = std::min(sigma_m, offsetScale(one, most / 3));
     sigma_m = std::max(sigma_m, kLeastSigma * voxel);
     for (std::size_t i = 0; i < judged.size(); ++i)
-        judged[i].evidence = evidenceOf(offsets[i], weights, sigma_m);
+        judged[i].evidence = evidenceOf(offsets[i], reference.weight, sigma_m);
     std::stable_sort(judged.begin(), judged.end(), [](const JudgedPose& a, const JudgedPose& b) {
         return a.evidence.score() > b.evidence.score();
     });
@@ -83,8 +84,9 @@ std::vector<JudgedPose> judgePoses(std::span<const Eigen::Vector3f> target, cons
 }
 
 bool rivals(const JudgedPose& other, const JudgedPose& best, double margin) {
-    return other.evidence.score() >= (1 - margin) * best.evidence.score() &&
-           other.evidence.agreement >= (1 - margin) * best.evidence.agreement;
+    constexpr double kCoverage = 0.8;
+    return other.evidence.agreement >= (1 - margin) * best.evidence.agreement &&
+           other.evidence.coverage >= kCoverage * best.evidence.coverage;
 }
 
 }  // namespace vestige

@@ -1,6 +1,11 @@
 #include "core/registration/global/NeighbourCells.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
 
 #include "core/base/Parallel.h"
 #include "core/geometry/SortedKeys.h"
@@ -48,29 +53,38 @@ void NeighbourCells::forEach(const Use& use) const {
     const float limit = radius_ * radius_;
     parallelFor(cells_.size(), kCellGrain, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> near;
-        std::vector<float> x, y, z, squares;
+        std::array<std::vector<float>, 3> along;
         std::vector<Neighbour> found;
         for (std::size_t cell = begin; cell < end; ++cell) {
             gather(cell, near);
-            x.resize(near.size());
-            y.resize(near.size());
-            z.resize(near.size());
-            squares.resize(near.size());
-            for (std::size_t i = 0; i < near.size(); ++i) {
-                x[i] = points_[near[i]].x();
-                y[i] = points_[near[i]].y();
-                z[i] = points_[near[i]].z();
+            const std::size_t padded = (near.size() + 7) / 8 * 8;
+            for (int axis = 0; axis < 3; ++axis) {
+                along[axis].assign(padded, std::numeric_limits<float>::infinity());
+                for (std::size_t i = 0; i < near.size(); ++i) along[axis][i] = points_[near[i]][axis];
             }
             for (std::uint32_t own = cells_[cell].begin; own < cells_[cell].end; ++own) {
                 const std::uint32_t point = order_[own];
                 const Eigen::Vector3f p = points_[point];
-                for (std::size_t i = 0; i < near.size(); ++i) {
-                    const float dx = x[i] - p.x(), dy = y[i] - p.y(), dz = z[i] - p.z();
-                    squares[i] = dx * dx + dy * dy + dz * dz;
-                }
                 found.clear();
-                for (std::size_t i = 0; i < near.size(); ++i)
-                    if (squares[i] <= limit && near[i] != point) found.push_back({near[i], squares[i]});
+                for (std::size_t at = 0; at < padded; at += 8) {
+                    const __m256 dx =
+                        _mm256_sub_ps(_mm256_loadu_ps(along[0].data() + at), _mm256_set1_ps(p.x()));
+                    const __m256 dy =
+                        _mm256_sub_ps(_mm256_loadu_ps(along[1].data() + at), _mm256_set1_ps(p.y()));
+                    const __m256 dz =
+                        _mm256_sub_ps(_mm256_loadu_ps(along[2].data() + at), _mm256_set1_ps(p.z()));
+                    const __m256 square =
+                        _mm256_fmadd_ps(dz, dz, _mm256_fmadd_ps(dy, dy, _mm256_mul_ps(dx, dx)));
+                    auto mask = static_cast<unsigned>(
+                        _mm256_movemask_ps(_mm256_cmp_ps(square, _mm256_set1_ps(limit), _CMP_LE_OQ)));
+                    if (mask == 0) continue;
+                    alignas(32) std::array<float, 8> squares;
+                    _mm256_store_ps(squares.data(), square);
+                    for (; mask != 0; mask &= mask - 1) {
+                        const auto k = static_cast<std::size_t>(std::countr_zero(mask));
+                        if (near[at + k] != point) found.push_back({near[at + k], squares[k]});
+                    }
+                }
                 use(point, found);
             }
         }

@@ -23,7 +23,8 @@ constexpr double kLeastBend = 0.03;  // mean squared sine of the normals' turn
 constexpr double kTargetBend = 0.6;  // of the source's: the target must not lack what the source has
 constexpr std::size_t kSourceFeatures = 2500;
 constexpr std::size_t kTargetFeatures = 60000;
-constexpr std::size_t kMatchesPerFeature = 2;
+constexpr std::size_t kMatches = 6000;
+constexpr std::size_t kMostMatchesPerFeature = 6;
 constexpr std::size_t kProposals = 200;
 constexpr std::size_t kFitSurfels = 1200;
 
@@ -61,7 +62,10 @@ std::vector<ProposedPose> proposePoses(const Surfels& target, const Surfels& sou
         featuresOf(target, radius, kTargetBend * kLeastBend, kTargetFeatures);
     stopIfCancelled(control);
     control.progress(0.6, "shapes that look alike");
-    const auto matches = matchFeatures(targetFeatures, sourceFeatures, kMatchesPerFeature);
+    const auto matches = matchFeatures(
+        targetFeatures, sourceFeatures,
+        std::clamp<std::size_t>(kMatches / std::max<std::size_t>(1, sourceFeatures.surfel.size()), 2,
+                                kMostMatchesPerFeature));
     const auto proposals = consistentPoses(target, source, matches,
                                            {kMatchTolerance * voxel, kMatchDistance * voxel, kProposals});
     stopIfCancelled(control);

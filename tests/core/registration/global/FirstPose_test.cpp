@@ -90,7 +90,7 @@ TEST(FirstPose, FindsNothingWhereThereIsNothing) {
     const MovedScan scan = moved(carFront(), 0.001, 5);
     const auto found = findFirstPose({parkingLot({}), {}}, {scan.cloud, {}}, {}, defaults());
     if (found) {
-        EXPECT_LT(found->candidates[0].score, 0.35);
+        EXPECT_LT(found->candidates[0].score, 0.5);
     } else {
         EXPECT_EQ(found.error().code, ErrorCode::untrustworthy);
     }
