@@ -18,7 +18,7 @@ constexpr double kMeshSamples = 3e5;
 constexpr std::size_t kProposed = 12;
 constexpr std::size_t kShown = 5;
 /// Below this no candidate is worth a registration.
-constexpr double kLeastScore = 0.1;
+constexpr double kLeastScore = 0.02;
 /// A better score than this needs no second look with other voxels, unless it has rivals.
 constexpr double kConvincing = 0.35;
 constexpr double kOtherVoxel = 1.5;

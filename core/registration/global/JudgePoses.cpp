@@ -13,7 +13,7 @@ namespace {
 constexpr double kFirstTolerance = 0.6;
 constexpr double kSecondTolerance = 0.3;
 constexpr double kReach = 2;
-constexpr double kLeastSigma = 0.05;
+constexpr double kLeastSigma = 0.1;
 constexpr double kSameShift = 3;
 
 constexpr std::size_t kPointsToRefine = 20000;
@@ -67,7 +67,7 @@ std::vector<JudgedPose> judgePoses(std::span<const Eigen::Vector3f> target, cons
     std::size_t most = 0;
     for (const auto& one : offsets) most = std::max(most, knownOffsets(one));
     double sigma_m = kReach * voxel;
-    for (const auto& one : offsets) sigma_m = std::min(sigma_m, offsetScale(one, most / 3));
+    for (const auto& one : offsets) sigma_m = std::min(sigma_m, offsetScale(one, most / 2));
     sigma_m = std::max(sigma_m, kLeastSigma * voxel);
     for (std::size_t i = 0; i < judged.size(); ++i)
         judged[i].evidence = evidenceOf(offsets[i], reference.weight, sigma_m);

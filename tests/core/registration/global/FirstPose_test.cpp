@@ -4,6 +4,7 @@
 
 #include "core/base/Parallel.h"
 #include "core/io/FormatRegistry.h"
+#include "core/registration/InitialPose.h"
 #include "core/registration/Register.h"
 #include "tests/core/registration/StreetScene.h"
 #include "tests/core/registration/global/ParkingLot.h"
@@ -144,6 +145,39 @@ TEST(FirstPose, LaysTwoStationsOnEachOther) {
         ASSERT_TRUE(result) << result.error().sentence();
         expectNear(result->targetFromSource.pose, truth, {0, 0, 0}, 0.05, 0.3);
     }
+}
+
+/// The share of `trials` random poses from which the source comes to lie on the target as the picked pairs
+/// say.
+int placedAsPicked(const std::string& target, const std::string& source, const std::string& picks, int trials,
+                   double shift_m) {
+    const auto there = readGeometry(target);
+    const auto here = readGeometry(source);
+    const auto pairs = readPointPairs(test::dataFile("registration/" + picks));
+    EXPECT_TRUE(there && here && pairs);
+    const Pose picked = alignPairs(*pairs, 1)->targetFromSource.pose;
+    const Eigen::Vector3d middle = here->geometry.vertices.bounds().centre();
+    int placed = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        const MovedScan scan = moved(here->geometry.vertices, 1, 20 + static_cast<std::uint64_t>(trial));
+        const auto found = findFirstPose(there->geometry, {scan.cloud, {}}, LengthUnit::metre, defaults());
+        if (!found) continue;
+        const Pose pose = found->targetFromSource.pose * scan.back.inverse();
+        placed += distanceAt(pose, picked, middle) < shift_m && turnBetween(pose, picked) < 2;
+    }
+    return placed;
+}
+
+TEST(FirstPose, LaysARoomOnItselfAsPickedPairsDo) {
+    VESTIGE_SHARED_OR_SKIP(target, "registration/room/room_scan1.pcd");
+    VESTIGE_SHARED_OR_SKIP(source, "registration/room/room_scan2.pcd");
+    EXPECT_EQ(placedAsPicked(target, source, "room_picks.csv", 2, 0.2), 2);
+}
+
+TEST(FirstPose, LaysADragonOnItselfAsPickedPairsDo) {
+    VESTIGE_SHARED_OR_SKIP(target, "registration/objects/dragon1.xyz");
+    VESTIGE_SHARED_OR_SKIP(source, "registration/objects/dragon2.xyz");
+    EXPECT_EQ(placedAsPicked(target, source, "dragon_picks.csv", 2, 0.2), 2);
 }
 
 TEST(FirstPose, LaysRealScansOnEachOtherFromAnyPose) {
