@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace vestige {
 namespace {
 
-/// A logarithmic axis from `low` to `high` with ticks at 1, 2 and 5 times powers of ten.
+/// A logarithmic axis from `low` to `high` with ticks at 1, 2 and 5 times powers of ten, at 1 alone where
+/// these are many.
 struct LogAxis {
     double low = std::numeric_limits<double>::infinity();
     double high = 0;
@@ -52,6 +54,7 @@ class Painter {
                 if (!(x > 0) || !(y > 0)) continue;
                 x_.take(x);
                 y_.take(y);
+                sizes_.insert(x);
             }
     }
 
@@ -90,7 +93,7 @@ class Painter {
             const double y = at(x_.low, tick).y();
             painter_.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
         }
-        for (const double tick : x_.ticks()) {
+        for (const double tick : sizes_) {
             const double x = at(tick, y_.low).x();
             painter_.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
         }
@@ -100,7 +103,7 @@ class Painter {
             painter_.drawText(QRectF(area_.left(), y - em, plot_.left() - area_.left() - 0.4 * em, 2 * em),
                               Qt::AlignRight | Qt::AlignVCenter, tickText(tick));
         }
-        for (const double tick : x_.ticks())
+        for (const double tick : sizes_)
             painter_.drawText(QRectF(at(tick, y_.low).x() - 3 * em, plot_.bottom() + 0.2 * em, 6 * em, em),
                               Qt::AlignHCenter | Qt::AlignVCenter, tickText(tick));
         painter_.setPen(style_.muted);
@@ -166,6 +169,7 @@ class Painter {
     const ChartStyle& style_;
     QFontMetricsF metrics_;
     LogAxis x_;
+    std::set<double> sizes_;  ///< the x that occur, marked on the axis
     LogAxis y_;
     QRectF plot_;
 };
