@@ -7,6 +7,7 @@
 #include "app/cli/Session.h"
 #include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
+#include "core/base/Processor.h"
 #include "core/base/Units.h"
 #include "core/evaluation/EvaluationPlan.h"
 #include "core/filters/Preprocess.h"
@@ -93,6 +94,11 @@ int runEvaluate(Session& session, const Options& options) {
     found.extent = extentOf(*sequence);
     found.tables = options.tables;
     found.threads = threadCount();
+    found.processor = processorName();
+    found.preset = options.registration.text("preset");
+    found.filterRadius = options.preprocessing.optionalReal("radius_m")
+                             ? options.preprocessing.display("radius_m")
+                             : "3 times the median spacing of each cloud";
     const double share = 0.85 / static_cast<double>(runs->size());
     nlohmann::json rows = nlohmann::json::array();
     for (const EvaluationRun& run : *runs) {

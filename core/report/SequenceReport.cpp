@@ -94,14 +94,20 @@ Table besidePublished(int number, const std::vector<SequenceScore>& scores, cons
 Section sequenceSection(const SequenceReportInput& input) {
     const SequenceExtent& extent = input.extent;
     Section section{"The sequence", {}};
-    section.blocks.push_back(
-        Facts{{{"Clouds", std::to_string(extent.clouds)},
-               {"Points", grouped(extent.points) + ", " +
-                              grouped(extent.points / std::max<std::size_t>(1, extent.clouds)) + " a cloud"},
-               {"Way", fixedText(extent.path_m, 2) + " m along the known poses"},
-               {"Steps between clouds", "up to " + fixedText(extent.longestStep_m, 2) + " m and " +
-                                            fixedText(degrees(extent.largestTurn_rad), 1) + "°"},
-               {"Threads", std::to_string(input.threads)}}});
+    const std::size_t each = extent.points / std::max<std::size_t>(1, extent.clouds);
+    Facts facts{{{"Clouds", std::to_string(extent.clouds)},
+                 {"Points", grouped(extent.points) + ", " + grouped(each) + " a cloud"},
+                 {"Way", fixedText(extent.path_m, 2) + " m along the known poses"},
+                 {"Steps between clouds", "up to " + fixedText(extent.longestStep_m, 2) + " m and " +
+                                              fixedText(degrees(extent.largestTurn_rad), 1) + "°"}}};
+    const bool filtered = std::any_of(input.scores.begin(), input.scores.end(),
+                                      [](const SequenceScore& score) { return score.filter != "none"; });
+    if (filtered && !input.filterRadius.empty())
+        facts.rows.emplace_back("Radius of the filters", input.filterRadius);
+    if (!input.preset.empty()) facts.rows.emplace_back("Improved NDT, preset", input.preset);
+    if (!input.processor.empty()) facts.rows.emplace_back("Processor", input.processor);
+    facts.rows.emplace_back("Threads", std::to_string(input.threads));
+    section.blocks.push_back(std::move(facts));
     section.blocks.push_back(Paragraph{
         "Each cloud is registered to the one before it, starting from no motion at all. With estimates P and "
         "known poses Q, E = (Q(i)⁻¹ Q(i+D))⁻¹ (P(i)⁻¹ P(i+D)) is the error of a relative pose, D = " +

@@ -15,6 +15,9 @@ struct SequenceReportInput {
     std::vector<int> tables;  ///< published tables to show beside, 2 and 3
     std::string date;         ///< ISO 8601
     int threads = 1;
+    std::string processor;
+    std::string filterRadius;  ///< as people read it; shown where a filter was used
+    std::string preset;        ///< of improved NDT
 };
 
 /// The comparison of registration methods on a sequence: what the sequence is, each published table beside

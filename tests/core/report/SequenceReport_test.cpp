@@ -66,8 +66,10 @@ TEST(PublishedTables, AreThoseOfTheOracles) {
 }
 
 TEST(SequenceReport, ShowsBothTablesBesideThePublishedFigures) {
-    SequenceReportInput input{"pavilion", {32, 1000000, 18, 0.6, 0.1}, tenths(), {2, 3}, "2026-11-22", 2};
+    SequenceReportInput input{
+        "pavilion", {32, 1000000, 18, 0.6, 0.1}, tenths(), {2, 3}, "2026-11-22", 2, "", "0.1 m", "default"};
     const std::string text = test::textOf(sequenceReport(input));
+    EXPECT_THAT(text, HasSubstr("Radius of the filters: 0.1 m"));
     EXPECT_THAT(text, HasSubstr("# Table 2: classic and improved NDT"));
     EXPECT_THAT(text, HasSubstr("# Table 3: filters before improved NDT"));
     EXPECT_THAT(text, HasSubstr("\n0.0670\t\n0.67\t\n0.0620\t\n0.62\t"));
@@ -81,11 +83,20 @@ TEST(SequenceReport, ShowsBothTablesBesideThePublishedFigures) {
 }
 
 TEST(SequenceReport, SaysNothingOfTablesThatWereNotRun) {
-    SequenceReportInput input{"pavilion", {3, 30, 1, 0.6, 0.1}, {score("icp", "none", {}, 0.5)},
-                              {},         "2026-11-22",         2};
+    SequenceReportInput input{"pavilion",
+                              {3, 30, 1, 0.6, 0.1},
+                              {score("icp", "none", {}, 0.5)},
+                              {},
+                              "2026-11-22",
+                              2,
+                              "A processor",
+                              "0.1 m",
+                              ""};
     const std::string text = test::textOf(sequenceReport(input));
     EXPECT_THAT(text, testing::Not(HasSubstr("Table 2")));
     EXPECT_THAT(text, HasSubstr("chosen"));
+    EXPECT_THAT(text, HasSubstr("Processor: A processor"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("Radius"))) << "no filter was used";
     EXPECT_EQ(conclusionOf(2, input.scores), "");
     EXPECT_EQ(conclusionOf(3, input.scores), "");
     // A part of a table leaves dashes, no means and no verdict on filters.
