@@ -11,7 +11,6 @@
 #include "core/base/Units.h"
 #include "core/evaluation/EvaluationPlan.h"
 #include "core/filters/Preprocess.h"
-#include "core/registration/Register.h"
 #include "core/report/Wording.h"
 
 namespace vestige::cli {
@@ -27,7 +26,7 @@ struct Options {
     std::vector<int> tables;
     std::size_t delta = 1;
     ParameterSet preprocessing{preprocessParameters()};
-    ParameterSet registration{registrationParameters()};
+    ParameterSet registration{comparedRegistration()};
     EvaluateOutputs outputs;
 };
 

@@ -1,8 +1,18 @@
 #include "core/evaluation/EvaluationPlan.h"
 
 #include <algorithm>
+#include <cstdint>
+
+#include "core/registration/Register.h"
 
 namespace vestige {
+ParameterSet comparedRegistration() {
+    ParameterSet parameters(registrationParameters());
+    // Within the parameter's own range, so it is always accepted.
+    (void)parameters.set("restarts", std::int64_t{0});
+    return parameters;
+}
+
 EvaluationChoice publishedChoice(int table) {
     if (table == 2) return {{"ndt", "improved-ndt"}, {"1.0", "0.8", "0.6", "0.4", "0.2", "0.1"}, {"none"}};
     if (table == 3) return {{"improved-ndt"}, {"0.1", "0.2", "0.3"}, {"gaussian", "mean", "median"}};

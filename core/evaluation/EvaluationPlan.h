@@ -14,6 +14,9 @@ struct EvaluationRun {
     ParameterSet registration;
 };
 
+/// registrationParameters() as a comparison uses them: without restarts, whose time says nothing of a method.
+ParameterSet comparedRegistration();
+
 /// What to compare: every combination of these. Voxels are lengths in metres, or "auto".
 struct EvaluationChoice {
     std::vector<std::string> methods;

@@ -20,6 +20,7 @@ Result<Pose> registerPair(const TriangleMesh& before, const TriangleMesh& cloud,
     pair.seconds = secondsSince(begin);
     if (!result && result.error().code != ErrorCode::untrustworthy) return fail(result.error());
     if (!result) return Pose::Identity();
+    pair.seconds = result->seconds;
     pair.verdict = result->verdict;
     pair.overlap = result->overlap;
     return result->targetFromSource.pose;

