@@ -36,10 +36,11 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
         paper ? std::min(kFloor_m, options.voxelStart_m / 20) : options.voxelStart_m / (small ? 16 : 32);
     options.leaf_m = parameters.optionalReal("leaf_m");
     options.published = paper;
-    options.startFan = !paper && !startError_m;
+    options.startFan = !paper && !startError_m && !parameters.optionalReal("voxel_start_m");
     // Where the cells are few, or larger than the data would have them, it matters where their faces lie.
-    if (!paper && (startError_m || small || options.voxel_m)) options.shiftedGrids = 4;
-    if (options.voxel_m && !options.leaf_m) options.leaf_m = *options.voxel_m / 2;
+    const bool given = options.voxel_m && 2 * *options.voxel_m <= options.voxelStart_m;
+    if (!paper && (startError_m || small || given)) options.shiftedGrids = 4;
+    if (given && !options.leaf_m) options.leaf_m = *options.voxel_m / 2;
     if (startError_m && !paper)
         options.voxelFloor_m = std::max(options.voxelFloor_m,
                                         std::min(options.voxelStart_m, kSmallestKnownStart * sourceRadius_m));

@@ -108,7 +108,7 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         surfaces = levels.surfaces(deviation, smallest);
         const auto shifted = levels.shiftedSurfaces(deviation);
         // The level moves by less than a voxel: what lies beside the surfaces now stays there.
-        source = frame.part(source, distances);
+        if (middle > smallest) source = frame.part(source, distances);
         level(NdtScore(surfaces, source, shifted), smallest, true);
         if (!advance()) return fail(cancelledError());
     }
