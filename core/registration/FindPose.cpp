@@ -38,7 +38,8 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
     options.published = paper;
     options.startFan = !paper && !startError_m && !parameters.optionalReal("voxel_start_m");
     // Where the cells are few, or larger than the data would have them, it matters where their faces lie.
-    const bool given = options.voxel_m && 2 * *options.voxel_m <= options.voxelStart_m;
+    const bool given = options.voxel_m && !parameters.optionalReal("voxel_start_m") &&
+                       2 * *options.voxel_m <= options.voxelStart_m;
     if (!paper && (startError_m || small || given)) options.shiftedGrids = 4;
     if (given && !options.leaf_m) options.leaf_m = *options.voxel_m / 2;
     if (startError_m && !paper)

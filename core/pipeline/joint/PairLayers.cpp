@@ -223,6 +223,8 @@ Result<bool> Pairing::registerFirst(std::size_t index, std::size_t reference, co
             result->targetFromSource = placed(*to.place, result->targetFromSource);
             result->initial = placed(*to.place, result->initial);
         }
+        // A place that is one of several is none to start from again.
+        if (result->verdict == Verdict::ambiguous) member.place.reset();
         if (!member.attempt) member.attempt = std::move(*result);
         return failed(error);
     }

@@ -5,6 +5,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
+#include "core/registration/FindPose.h"
 #include "core/registration/InitialPose.h"
 #include "core/registration/RegistrationFrame.h"
 #include "core/registration/global/JudgePoses.h"
@@ -123,6 +124,29 @@ std::string describe(const Candidate& candidate) {
     return text.append(fixedText(100 * candidate.judged.evidence.coverage, 0)).append(" % of the scan met)");
 }
 
+/// What a registration makes of a candidate that the search alone cannot rule out.
+struct Fit {
+    double overlap = 0;
+    double rmse_m = 0;
+};
+
+Fit fitFrom(const PointCloud& target, const PointCloud& source, const Candidate& candidate,
+            const FirstPose& first, ParameterSet parameters, const JobControl& control) {
+    if (first.error_m && parameters.isDefault("start_error_m"))
+        if (const Status set = parameters.set("start_error_m", *first.error_m); !set)
+            throw ErrorException{set.error()};
+    const auto result = findPose(target, source, candidate.targetFromSource, parameters, control);
+    if (!result && result.error().code == ErrorCode::cancelled) throw ErrorException{result.error()};
+    return result ? Fit{result->overlap, result->rmse_m} : Fit{};
+}
+
+/// A rival stays one when the scan, registered there, lies on as much of the target and as closely.
+bool fitsAsWell(const Fit& rival, const Fit& best) {
+    constexpr double kOverlap = 0.93;
+    constexpr double kDistance = 1.25;
+    return rival.overlap >= kOverlap * best.overlap && rival.rmse_m <= kDistance * best.rmse_m;
+}
+
 }  // namespace
 
 Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& source,
@@ -162,13 +186,20 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
         note.append(describe(best)).append(", with voxels of ").append(fixedText(best.voxel_m, 3));
         note.append(best.targetFromSource.scale == 1 ? " m, the source in metres"
                                                      : " m, the source in millimetres");
+        std::optional<Fit> fitOfBest;
         for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) {
             const Candidate& one = candidates[i];
             if (i > 0 && one.judged.evidence.score() <= 0) break;
             first.candidates.push_back(
                 {one.targetFromSource, std::clamp(one.judged.evidence.score(), 0.0, 1.0)});
             if (i == 0) continue;
-            const bool rival = rivals(one.judged, best.judged, margin);
+            bool rival = rivals(one.judged, best.judged, margin);
+            if (rival) {
+                if (!fitOfBest)
+                    fitOfBest = fitFrom(there, here, best, first, parameters, control.sub(0.9, 1));
+                rival =
+                    fitsAsWell(fitFrom(there, here, one, first, parameters, control.sub(0.9, 1)), *fitOfBest);
+            }
             first.ambiguous = first.ambiguous || rival;
             first.notes.push_back(describe(one));
             first.notes.back().append(rival ? ": as good" : ": worse");
