@@ -73,13 +73,6 @@ CentredSource RegistrationFrame::centred(std::vector<Eigen::Vector3f> points) co
     return thinned;
 }
 
-CentredSource RegistrationFrame::part(const CentredSource& source, const std::vector<float>& distances) {
-    CentredSource kept{{}, source.centre, source.radius};
-    for (std::size_t i = 0; i < distances.size(); ++i)
-        if (std::isfinite(distances[i])) kept.points.push_back(source.points[i]);
-    return kept;
-}
-
 Pose RegistrationFrame::toLocal(const Pose& targetFromSource, const CentredSource& source) const {
     Pose local = targetFromSource;
     local.translation() = targetFromSource * source.centre - targetOrigin_;

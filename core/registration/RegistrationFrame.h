@@ -22,8 +22,6 @@ class RegistrationFrame {
     const std::vector<Eigen::Vector3f>& source() const { return source_; }
     /// These points of the source round their centroid.
     CentredSource centred(std::vector<Eigen::Vector3f> points) const;
-    /// Those of its points whose distance is finite, round the same centre.
-    static CentredSource part(const CentredSource& source, const std::vector<float>& distances);
 
     /// Between a pose of the two files' metres and one of the centred source and the target's offsets.
     Pose toLocal(const Pose& targetFromSource, const CentredSource& source) const;

@@ -107,8 +107,6 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         const double deviation = typicalDistance(distances);
         surfaces = levels.surfaces(deviation, smallest);
         const auto shifted = levels.shiftedSurfaces(deviation);
-        // The level moves by less than a voxel: what lies beside the surfaces now stays there.
-        if (middle > smallest) source = frame.part(source, distances);
         level(NdtScore(surfaces, source, shifted), smallest, true);
         if (!advance()) return fail(cancelledError());
     }
