@@ -1,5 +1,4 @@
 #include <CLI/App.hpp>
-#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +6,7 @@
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
+#include "core/base/UtcTime.h"
 #include "core/measurement/AccuracyTable.h"
 #include "core/report/AccuracyCsv.h"
 #include "core/report/AccuracyReport.h"
@@ -23,15 +23,6 @@ struct Options {
     std::string pdf;
 };
 
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    ::gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
-
 /// Both outputs or none: the CSV is put in place when the PDF stands.
 Status writeOutputs(const std::vector<MethodAccuracy>& methods, const Options& options,
                     const JobControl& control) {
@@ -44,7 +35,7 @@ Status writeOutputs(const std::vector<MethodAccuracy>& methods, const Options& o
         const OffscreenApplication application;
         const std::string name = std::filesystem::path(options.table).filename().string();
         if (auto printed =
-                PdfPrinter().printPdf(accuracyReport(methods, name, today()), options.pdf, control);
+                PdfPrinter().printPdf(accuracyReport(methods, name, utcNow()), options.pdf, control);
             !printed)
             return printed;
     }

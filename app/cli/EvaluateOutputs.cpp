@@ -1,10 +1,10 @@
 #include "app/cli/EvaluateOutputs.h"
 
-#include <ctime>
 #include <optional>
 
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/AtomicFile.h"
+#include "core/base/UtcTime.h"
 #include "core/evaluation/SequenceCsv.h"
 #include "core/report/SequenceCharts.h"
 #include "ui/print/ChartFile.h"
@@ -12,15 +12,6 @@
 
 namespace vestige::cli {
 namespace {
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    ::gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
 
 /// A file that waits under its temporary name until all others stand.
 class Waiting {
@@ -53,7 +44,7 @@ Status checkOutputs(const EvaluateOutputs& outputs) {
 }
 
 Status writeOutputs(const EvaluateOutputs& outputs, SequenceReportInput found, const JobControl& control) {
-    found.date = today();
+    found.date = utcNow();
     Waiting csv(outputs.csv), pairs(outputs.pairs), chart(outputs.chart), pdf(outputs.pdf);
     for (const Status& written : {csv.write(sequenceCsv(found.scores)), pairs.write(pairsCsv(found.scores)),
                                   chart.write({}), pdf.write({})})

@@ -1,7 +1,6 @@
 #include "core/pipeline/Reconstruct.h"
 
-#include <ctime>
-
+#include "core/base/UtcTime.h"
 #include "core/pipeline/Manifest.h"
 #include "core/pipeline/ReconstructRun.h"
 
@@ -22,15 +21,6 @@ const Recipe<ReconstructRun>& method() {
         {"manifest", "Writing the manifest", 2, manifestStage},
     };
     return recipe;
-}
-
-std::string utcNow() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
 }
 
 Status checkLayers(const SceneState& scene) {

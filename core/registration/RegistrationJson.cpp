@@ -15,8 +15,10 @@ nlohmann::json candidatesJson(const std::vector<PoseCandidate>& candidates) {
     return list;
 }
 
-nlohmann::json qualityJson(const RegistrationQuality& quality) {
-    nlohmann::json directions = nlohmann::json::array();
+}  // namespace
+
+nlohmann::ordered_json qualityJson(const RegistrationQuality& quality) {
+    nlohmann::ordered_json directions = nlohmann::ordered_json::array();
     for (const ObservedDirection& one : quality.directions)
         directions.push_back({{"information", one.information},
                               {"direction", std::vector<double>(one.direction.begin(), one.direction.end())},
@@ -36,10 +38,9 @@ nlohmann::json qualityJson(const RegistrationQuality& quality) {
               {"rotation_rad", quality.restarts.rotation_rad}}},
             {"observability", std::move(directions)},
             {"radius_m", quality.radius_m},
+            {"covariance", rowMajor(quality.uncertainty.covariance)},
             {"pivot_m", {pivot.x(), pivot.y(), pivot.z()}}};
 }
-
-}  // namespace
 
 nlohmann::json registrationJson(const RegistrationResult& result, bool withSeconds) {
     nlohmann::json levels = nlohmann::json::array();

@@ -6,6 +6,10 @@
 
 namespace vestige {
 
+/// The evidence for a verdict, the same in `register --json` and in a case file; its covariance is about its
+/// `pivot_m`, of (t in metres, w in radians), row by row.
+nlohmann::ordered_json qualityJson(const RegistrationQuality& quality);
+
 /// The object that `register --json` prints and registration.json lists (docs/formats.md): pose as 16 numbers
 /// row by row, metres; the covariance of the pose about its own translation, 36 numbers; verdict, reasons and
 /// the evidence for them. `seconds` is left out where the text must not differ from run to run.

@@ -17,7 +17,6 @@ using PathText = std::function<std::string(const std::filesystem::path&)>;
 nlohmann::ordered_json caseJson(const SceneState& scene, const PathText& pathText);
 nlohmann::ordered_json layerJson(const Layer& layer, const PathText& pathText);
 nlohmann::ordered_json resultJson(const RegistrationResult& result);
-nlohmann::ordered_json qualityJson(const RegistrationQuality& quality);
 nlohmann::ordered_json measurementJson(const Measurement& measurement);
 nlohmann::ordered_json viewJson(const ViewCamera& camera, const std::string& frame);
 nlohmann::ordered_json poseJson(const Pose& pose);

@@ -1,6 +1,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/registration/RegistrationJson.h"
 #include "core/scene/casefile/CaseJson.h"
 
 namespace vestige {

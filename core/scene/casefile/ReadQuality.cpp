@@ -5,16 +5,6 @@
 namespace vestige {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-template <int Rows, int Columns>
-Json numbers(const Eigen::Matrix<double, Rows, Columns>& matrix) {
-    Json list = Json::array();
-    for (int row = 0; row < Rows; ++row)
-        for (int column = 0; column < Columns; ++column) list.push_back(matrix(row, column));
-    return list;
-}
-
 template <int Rows, int Columns>
 Eigen::Matrix<double, Rows, Columns> readNumbers(const JsonCursor& cursor, std::string_view what) {
     const auto values = cursor.elements(Rows * Columns, what);
@@ -50,36 +40,12 @@ RestartSpread readRestarts(const JsonCursor& cursor) {
 
 }  // namespace
 
-nlohmann::ordered_json qualityJson(const RegistrationQuality& quality) {
-    Json directions = Json::array();
-    for (const ObservedDirection& one : quality.directions)
-        directions.push_back({{"information", one.information},
-                              {"direction", numbers<6, 1>(one.direction)},
-                              {"sigma_m", one.sigma_m},
-                              {"free", one.free},
-                              {"words", one.words}});
-    return {{"residuals",
-             {{"width_m", quality.residuals.width_m},
-              {"counts", quality.residuals.counts},
-              {"outside", quality.residuals.outside}}},
-            {"plane_rmse_m", quality.planeRmse_m},
-            {"restarts",
-             {{"runs", quality.restarts.runs},
-              {"agreeing", quality.restarts.agreeing},
-              {"translation_m", quality.restarts.translation_m},
-              {"rotation_rad", quality.restarts.rotation_rad}}},
-            {"directions", std::move(directions)},
-            {"radius_m", quality.radius_m},
-            {"covariance", numbers<6, 6>(quality.uncertainty.covariance)},
-            {"pivot_m", numbers<3, 1>(quality.uncertainty.pivot_m)}};
-}
-
 RegistrationQuality readQuality(const JsonCursor& cursor) {
     RegistrationQuality quality;
-    quality.residuals = readHistogram(cursor.at("residuals"));
+    quality.residuals = readHistogram(cursor.at("residual_histogram"));
     quality.planeRmse_m = cursor.at("plane_rmse_m").real();
     quality.restarts = readRestarts(cursor.at("restarts"));
-    for (const auto& one : cursor.at("directions").elements())
+    for (const auto& one : cursor.at("observability").elements())
         quality.directions.push_back(
             {one.at("information").real(), readNumbers<6, 1>(one.at("direction"), "six numbers"),
              one.at("sigma_m").real(), one.at("free").boolean(), one.at("words").text()});
