@@ -23,23 +23,27 @@ struct Options {
     std::string pdf;
 };
 
-/// Both outputs or none: the CSV is put in place when the PDF stands.
+/// Both outputs or none.
 Status writeOutputs(const std::vector<MethodAccuracy>& methods, const Options& options,
                     const JobControl& control) {
-    AtomicFile csv(options.csv);
+    AtomicFile csv(options.csv), pdf(options.pdf);
+    std::vector<AtomicFile*> files;
     if (!options.csv.empty()) {
         if (auto opened = csv.open(); !opened) return opened;
         csv.write(accuracyCsv(methods));
+        files.push_back(&csv);
     }
     if (!options.pdf.empty()) {
+        if (auto opened = pdf.open(); !opened) return opened;
         const OffscreenApplication application;
         const std::string name = std::filesystem::path(options.table).filename().string();
         if (auto printed =
-                PdfPrinter().printPdf(accuracyReport(methods, name, utcNow()), options.pdf, control);
+                PdfPrinter().printPdf(accuracyReport(methods, name, utcNow()), pdf.temporaryPath(), control);
             !printed)
             return printed;
+        files.push_back(&pdf);
     }
-    return options.csv.empty() ? Status{} : csv.commit();
+    return AtomicFile::commit(files);
 }
 
 void printForPeople(const Session& session, const MethodAccuracy& method) {
@@ -57,6 +61,9 @@ void printForPeople(const Session& session, const MethodAccuracy& method) {
 }
 
 int run(Session& session, const Options& options) {
+    if (samePlace(options.csv, options.pdf))
+        return session.failed({ErrorCode::usage, "--out and --pdf name the same file", options.csv,
+                               "a file for each is expected"});
     const auto methods = readAccuracyTable(options.table);
     if (!methods) return session.failed(methods.error());
     if (const Status written = writeOutputs(*methods, options, session.control()); !written)

@@ -1,6 +1,8 @@
 #include "app/cli/EvaluateOutputs.h"
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/AtomicFile.h"
@@ -28,7 +30,7 @@ class Waiting {
     }
     /// For writers that take a path and replace the file at once.
     const std::filesystem::path& path() const { return file_->temporaryPath(); }
-    Status commit() { return file_ ? file_->commit() : Status{}; }
+    AtomicFile* file() { return file_ ? &*file_ : nullptr; }
 
   private:
     std::optional<AtomicFile> file_;
@@ -40,6 +42,13 @@ Status checkOutputs(const EvaluateOutputs& outputs) {
     if (!outputs.chart.empty() && !isChartFile(outputs.chart))
         return fail(ErrorCode::usage, "a chart cannot be written in this format", outputs.chart,
                     "expected .png or .svg");
+    const std::array<const std::string*, 4> places{&outputs.csv, &outputs.pairs, &outputs.chart,
+                                                   &outputs.pdf};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (samePlace(*places[i], *places[j]))
+                return fail(ErrorCode::usage, "two outputs name the same file", *places[i],
+                            "a file for each of --out, --pairs, --chart and --pdf is expected");
     return {};
 }
 
@@ -58,9 +67,10 @@ Status writeOutputs(const EvaluateOutputs& outputs, SequenceReportInput found, c
             if (const Status set = PdfPrinter().printPdf(sequenceReport(found), pdf.path(), control); !set)
                 return set;
     }
-    for (Waiting* file : {&csv, &pairs, &chart, &pdf})
-        if (const Status placed = file->commit(); !placed) return placed;
-    return {};
+    std::vector<AtomicFile*> files;
+    for (Waiting* one : {&csv, &pairs, &chart, &pdf})
+        if (one->wanted()) files.push_back(one->file());
+    return AtomicFile::commit(files);
 }
 
 }  // namespace vestige::cli

@@ -7,7 +7,7 @@
 #include "app/cli/Session.h"
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/Numbers.h"
-#include "core/registration/RegistrationJson.h"
+#include "core/pipeline/RegistrationsJson.h"
 #include "core/report/ResultsJson.h"
 #include "core/report/Wording.h"
 #include "core/scene/CaseFile.h"
@@ -43,22 +43,12 @@ json layersJson(const SceneState& scene) {
     return list;
 }
 
-json registrationsJson(const SceneState& scene) {
-    json registrations = json::array();
-    for (const Layer& layer : scene.layers) {
-        if (!layer.registration) continue;
-        registrations.push_back(registrationJson(*layer.registration, true));
-        registrations.back()["layer"] = layer.id;
-    }
-    return registrations;
-}
-
 json resultJson(const Reconstruction& result) {
     json outputs = json::array();
     for (const auto& output : result.outputs)
         outputs.push_back({{"path", output.path}, {"sha256", output.sha256}});
     return {{"layers", layersJson(result.scene)},
-            {"registration", registrationsJson(result.scene)},
+            {"registration", registrationsJson(result.scene, true)},
             {"measurements", measurementsJson(result.measured)},
             {"accuracy", accuracyJson(result.measured.accuracy)},
             {"outputs", std::move(outputs)},
@@ -107,7 +97,7 @@ int run(Session& session, const Options& options) {
                                         [](const Layer& layer) { return layer.data != nullptr; });
         if (result.error().code == ErrorCode::untrustworthy && loaded)
             session.printJson(
-                {{"layers", layersJson(reached)}, {"registration", registrationsJson(reached)}});
+                {{"layers", layersJson(reached)}, {"registration", registrationsJson(reached, true)}});
         return session.failed(result.error());
     }
     for (const auto& missing : result->notMade) session.log("not made: " + missing);

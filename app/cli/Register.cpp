@@ -71,9 +71,13 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, cons
     if (!pairs) return fail(pairs.error());
     const double scale = scaleOf(options, target, source, *pairs, start.notes);
     const Result<PairAlignment> alignment = alignPairs(*pairs, scale);
-    if (!alignment) return fail(alignment.error());
+    if (!alignment) {
+        Error error = alignment.error();
+        error.place = options.init;
+        return fail(std::move(error));
+    }
     start.pose = alignment->targetFromSource;
-    start.error_m = alignment->rms_m;
+    start.error_m = alignment->error_m;
     std::string residuals;
     for (const double residual : alignment->residuals_m) residuals += " " + fixedText(residual, 4);
     start.notes.push_back("First pose from " + std::to_string(pairs->size()) +
@@ -81,18 +85,20 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, cons
     return start;
 }
 
-/// All outputs or none: the pose waits under its temporary name until the aligned cloud is written.
+/// All outputs or none.
 Status writeOutputs(const Options& options, const LoadedGeometry& source, const Similarity& pose,
                     const JobControl& control) {
     AtomicFile poseFile(options.poseOut);
     if (const Status opened = poseFile.open(); !opened) return opened;
     poseFile.write(poseFileText(pose));
-    if (!options.aligned.empty()) {
-        const Status written =
-            writeGeometry(options.aligned, source.geometry.transformed(pose), {&source.info}, control);
-        if (!written) return written;
-    }
-    return poseFile.commit();
+    if (options.aligned.empty()) return poseFile.commit();
+    AtomicFile aligned(options.aligned);
+    if (const Status opened = aligned.open(); !opened) return opened;
+    Status written =
+        writeGeometry(aligned.temporaryPath(), source.geometry.transformed(pose), {&source.info}, control);
+    if (!written && written.error().place == aligned.temporaryPath()) written.error().place = options.aligned;
+    if (!written) return written;
+    return AtomicFile::commit({&poseFile, &aligned});
 }
 
 void report(const Session& session, const Options& options, const RegistrationResult& result) {
@@ -107,7 +113,18 @@ void report(const Session& session, const Options& options, const RegistrationRe
                   " iterations in " + fixedText(result.seconds, 2) + " s");
 }
 
+/// Where nothing was found that could be registered, --json says so, too.
+int failed(const Session& session, const Options& options, const Error& error,
+           const std::vector<PoseCandidate>& candidates) {
+    if (error.code == ErrorCode::untrustworthy)
+        session.printJson(failedRegistrationJson(options.parameters.text("method"), error, candidates));
+    return session.failed(error);
+}
+
 int runRegister(Session& session, const Options& options) {
+    if (samePlace(options.poseOut, options.aligned))
+        return session.failed({ErrorCode::usage, "--pose-out and --aligned name the same file",
+                               options.poseOut, "a file for each is expected"});
     if (!options.aligned.empty())
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
@@ -117,14 +134,15 @@ int runRegister(Session& session, const Options& options) {
     const Result<LoadedGeometry> source = readGeometry(options.source, control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
     const Result<Start> start = startFrom(options, target->geometry, source->geometry, control.sub(0.4, 0.6));
-    if (!start) return session.failed(start.error());
+    if (!start) return failed(session, options, start.error(), {});
     ParameterSet parameters = options.parameters;
     if (start->error_m && parameters.isDefault("start_error_m"))
-        if (const Status set = parameters.set("start_error_m", *start->error_m); !set)
-            return session.failed(set.error());
+        parameters.setNearest("start_error_m", *start->error_m);
     Result<RegistrationResult> result = attemptRegistration(target->geometry, source->geometry, start->pose,
                                                             parameters, control.sub(0.6, 0.95));
-    if (!result) return session.failed(result.error());
+    if (!result)
+        return failed(session, options, result.error(),
+                      start->found ? start->found->candidates : std::vector<PoseCandidate>{});
     result->notes.insert(result->notes.begin(), start->notes.begin(), start->notes.end());
     if (start->found) addFirstPose(*result, *start->found);
     if (!result->trustworthy()) {

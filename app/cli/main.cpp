@@ -52,7 +52,12 @@ int run(int argc, char** argv) {
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
     setThreadCount(session.threads);
-    return chosen(session);
+    const int code = chosen(session);
+    std::cout.flush();
+    if (code == 0 && !std::cout)
+        return session.failed({ErrorCode::output, "the results cannot be written", "standard output",
+                               "the files that were asked for are complete"});
+    return code;
 }
 
 }  // namespace

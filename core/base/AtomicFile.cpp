@@ -7,15 +7,28 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/FileReplacements.h"
+
 namespace vestige {
+namespace {
+
+/// A hidden name of this process's own in the folder of `place`, with its extension.
+std::filesystem::path beside(const std::filesystem::path& place, const char* what) {
+    return place.parent_path() /
+           ("." + place.stem().string() + what + std::to_string(::getpid()) + place.extension().string());
+}
+
+}  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path place) : place_(std::move(place)) {
-    temporary_ = place_.parent_path() / ("." + place_.stem().string() + ".partial-" +
-                                         std::to_string(::getpid()) + place_.extension().string());
+    std::error_code unknown;  // then it is a file that open() will complain of
+    const auto type = std::filesystem::status(place_, unknown).type();
+    device_ = type == std::filesystem::file_type::character || type == std::filesystem::file_type::fifo;
+    temporary_ = device_ ? place_ : beside(place_, ".partial-");
 }
 
 AtomicFile::~AtomicFile() {
-    if (committed_) return;
+    if (committed_ || device_) return;
     stream_.close();
     std::error_code ignored;
     std::filesystem::remove(temporary_, ignored);
@@ -23,7 +36,7 @@ AtomicFile::~AtomicFile() {
 
 Status AtomicFile::open() {
     std::error_code problem;
-    if (std::filesystem::is_directory(place_))
+    if (std::filesystem::is_directory(place_, problem))
         return fail(ErrorCode::output, "a folder of this name is in the way of the file", place_.string());
     if (place_.has_parent_path()) std::filesystem::create_directories(place_.parent_path(), problem);
     errno = 0;
@@ -38,22 +51,45 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
     stream_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
+Status AtomicFile::finish() {
+    if (!stream_.is_open()) return {};
+    stream_.flush();
+    const bool good = stream_.good();
+    stream_.close();
+    if (good && !stream_.fail()) return {};
+    return fail(ErrorCode::output, "writing failed before the end of the file", place_.string(),
+                "is the disk full?");
+}
+
 Status AtomicFile::commit() {
-    if (stream_.is_open()) {
-        stream_.flush();
-        const bool good = stream_.good();
-        stream_.close();
-        if (!good || stream_.fail())
-            return fail(ErrorCode::output, "writing failed before the end of the file", place_.string(),
-                        "is the disk full?");
+    return commit({this});
+}
+
+Status AtomicFile::commit(const std::vector<AtomicFile*>& files) {
+    for (AtomicFile* file : files)
+        if (const Status whole = file->finish(); !whole) return whole;
+    FileReplacements replaced;
+    for (AtomicFile* file : files) {
+        if (file->device_) continue;
+        if (const auto problem =
+                replaced.replace(file->temporary_, file->place_, beside(file->place_, ".replaced-")))
+            return fail(ErrorCode::output, "the finished file cannot be put in place", file->place_.string(),
+                        problem.message());
     }
-    std::error_code problem;
-    std::filesystem::rename(temporary_, place_, problem);
-    if (problem)
-        return fail(ErrorCode::output, "the finished file cannot be put in place", place_.string(),
-                    problem.message());
-    committed_ = true;
+    replaced.keep();
+    for (AtomicFile* file : files) file->committed_ = true;
     return {};
+}
+
+bool samePlace(const std::filesystem::path& a, const std::filesystem::path& b) {
+    if (a.empty() || b.empty()) return false;
+    std::error_code unknown;
+    const auto whole = [&](const std::filesystem::path& path) {
+        const auto absolute = std::filesystem::absolute(path, unknown);
+        auto found = std::filesystem::weakly_canonical(absolute, unknown);
+        return unknown ? absolute.lexically_normal() : found;
+    };
+    return whole(a) == whole(b);
 }
 
 Status writeTextFile(const std::filesystem::path& place, std::string_view text) {

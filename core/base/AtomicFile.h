@@ -5,13 +5,15 @@
 #include <fstream>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/base/Result.h"
 
 namespace vestige {
 
 /// A file that appears whole or not at all: it is written beside its place under another name and renamed by
-/// commit(). Destroyed without commit() it leaves what stood there before untouched and nothing of its own.
+/// commit(). Destroyed without commit() it leaves what stood there before untouched and nothing of its own. A
+/// device or a pipe (/dev/null, /dev/stdout) is written to directly.
 class AtomicFile {
   public:
     explicit AtomicFile(std::filesystem::path place);
@@ -32,13 +34,23 @@ class AtomicFile {
     void write(std::span<const std::byte> bytes);
     /// Closes and renames; ErrorCode::output when a write or the renaming failed.
     Status commit();
+    /// The same for several files, all or none: where one cannot be put in place, the others' places are as
+    /// they were before.
+    static Status commit(const std::vector<AtomicFile*>& files);
 
   private:
+    Status finish();
+
     std::filesystem::path place_;
     std::filesystem::path temporary_;
     std::ofstream stream_;
+    bool device_ = false;
     bool committed_ = false;
 };
+
+/// Whether both name the same place, as far as that can be told before there is a file. An empty name is
+/// none.
+bool samePlace(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Writes `text` as the whole content of `place`, atomically.
 Status writeTextFile(const std::filesystem::path& place, std::string_view text);

@@ -86,6 +86,15 @@ Status ParameterSet::set(std::string_view key, ParameterValue value) {
     return {};
 }
 
+void ParameterSet::setNearest(std::string_view key, double value) {
+    const ParameterSpec* spec = find(key);
+    if (!spec || spec->type != ParameterType::real)
+        throw std::logic_error("no real parameter " + std::string(key));
+    if (spec->minimum) value = std::max(value, *spec->minimum);
+    if (spec->maximum) value = std::min(value, *spec->maximum);
+    values_.find(key)->second = value;
+}
+
 Status ParameterSet::setFromText(std::string_view key, std::string_view text) {
     const ParameterSpec* spec = find(key);
     if (!spec) return fail(ErrorCode::usage, "there is no parameter '" + std::string(key) + "'");

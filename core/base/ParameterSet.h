@@ -21,6 +21,8 @@ class ParameterSet {
 
     /// Checks name, type, range and choices; ErrorCode::usage that names the parameter and what is allowed.
     Status set(std::string_view key, ParameterValue value);
+    /// For a value the program derived: the allowed one of a real parameter that is nearest to it.
+    void setNearest(std::string_view key, double value);
     /// The same from text, as written on a command line or in a form ("auto" for automatic).
     Status setFromText(std::string_view key, std::string_view text);
 

@@ -26,7 +26,9 @@ inline tl::unexpected<Error> fail(ErrorCode code, std::string message, std::stri
 
 /// Inside one .cpp file or a parallel loop an Error may travel as this exception; `guarded` turns it (and
 /// std::bad_alloc, std::exception) back into a Result where the function or job ends.
-struct ErrorException {
+struct ErrorException : std::exception {
+    explicit ErrorException(Error what) : error(std::move(what)) {}
+    const char* what() const noexcept override { return error.message.c_str(); }
     Error error;
 };
 

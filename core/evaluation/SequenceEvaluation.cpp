@@ -51,13 +51,13 @@ Result<SequenceScore> evaluateSequence(const Sequence& sequence, const Parameter
         const JobControl one =
             control.sub(static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
         const auto filtering = std::chrono::steady_clock::now();
-        Result<PointCloud> filtered = preprocess(sequence.clouds[i], preprocessing);
+        Result<PointCloud> filtered = preprocess(sequence.clouds[i], preprocessing, 1, one.sub(0, 0.3));
         if (!filtered) return fail(filtered.error());
         TriangleMesh cloud{std::move(*filtered), {}};
         score.preprocessSeconds += secondsSince(filtering);
         if (i > 0) {
             PairScore pair = pairAt(sequence, i - 1);
-            const Result<Pose> step = registerPair(before, cloud, registration, pair, one);
+            const Result<Pose> step = registerPair(before, cloud, registration, pair, one.sub(0.3, 1));
             if (!step) return fail(step.error());
             score.seconds += pair.seconds;
             if (pair.verdict == Verdict::failed || pair.verdict == Verdict::ambiguous) ++score.failed;

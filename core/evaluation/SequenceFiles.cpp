@@ -74,7 +74,8 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
         i = m;
         j = n;
     }
-    return a.size() - i < b.size() - j;
+    // "scan01" and "scan1" are the same but for the zeros: some order that depends on the names alone.
+    return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
 Result<SequenceFiles> sequenceFiles(const fs::path& folder, const fs::path& truth) {

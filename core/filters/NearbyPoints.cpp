@@ -99,8 +99,18 @@ void forCells(const PointCloud& cloud, const CellGrid& grid, LoopProgress& progr
     parallelFor(grid.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
         Collector collector(grid, places, begin);
         for (std::size_t cell = begin; cell < end; ++cell) {
-            use(collector.collect(cell));
-            progress.check();
+            NearbyPoints nearby = collector.collect(cell);
+            // A radius of the cloud's size makes one cell of all points: hours in which it must be
+            // cancellable.
+            constexpr std::size_t kPairs = 10'000'000;
+            const std::size_t piece =
+                std::max<std::size_t>(1, kPairs / std::max<std::size_t>(1, nearby.count));
+            const auto own = nearby.own;
+            for (std::size_t from = 0; from < own.size(); from += piece) {
+                nearby.own = own.subspan(from, std::min(piece, own.size() - from));
+                use(nearby);
+                progress.check();
+            }
         }
         progress.done(grid.begin(end) - grid.begin(begin));
     });

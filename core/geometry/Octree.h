@@ -34,7 +34,6 @@ class Octree {
     explicit Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize = 32);
 
     const PointCloud& cloud() const { return *cloud_; }
-    std::shared_ptr<const PointCloud> sharedCloud() const { return cloud_; }
     /// Point indices in Morton order; a node's points are consecutive here.
     std::span<const std::uint32_t> order() const { return order_; }
     /// nodes()[0] is the root; empty for an empty cloud.

@@ -13,8 +13,8 @@ constexpr double kPickReach_m = 2;
 
 std::string describePairs(const PairAlignment& alignment) {
     std::string text = "first pose from " + std::to_string(alignment.residuals_m.size()) +
-                       " picked pairs, root mean square residual " + fixedText(1000 * alignment.rms_m, 1) +
-                       " mm (";
+                       " picked pairs, each good to " + fixedText(1000 * alignment.error_m, 1) +
+                       " mm (residuals ";
     for (std::size_t i = 0; i < alignment.residuals_m.size(); ++i)
         text += (i ? ", " : "") + fixedText(1000 * alignment.residuals_m[i], 1);
     return text + ")";
@@ -45,9 +45,13 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
     for (PointPair& pair : metric) pair.target *= target.metresPerUnit();
     UnitChoice choice = chooseUnit(layer, target, metric);
     const auto alignment = alignPairs(metric, metresPer(choice.unit));
-    if (!alignment) return fail(alignment.error());
+    if (!alignment) {
+        Error error = alignment.error();
+        error.place = scene.resolve(init.picks).string();
+        return fail(std::move(error));
+    }
     InitialPlacement placement{
-        alignment->targetFromSource, std::nullopt, alignment->rms_m, std::move(choice.notes), {}};
+        alignment->targetFromSource, std::nullopt, alignment->error_m, std::move(choice.notes), {}};
     const double worst = *std::max_element(alignment->residuals_m.begin(), alignment->residuals_m.end());
     placement.reach_m = kPickReach_m + 3 * worst;
     placement.notes.push_back(describePairs(*alignment));

@@ -99,7 +99,8 @@ std::vector<std::string> obsoleteOutputs(const fs::path& folder, const std::vect
         const std::string name = entry["path"];
         const bool madeAgain = std::any_of(outputs.begin(), outputs.end(),
                                            [&](const OutputFile& output) { return output.path == name; });
-        if (madeAgain || !staysInside(name) || !fs::is_regular_file(folder / name)) continue;
+        std::error_code unknown;
+        if (madeAgain || !staysInside(name) || !fs::is_regular_file(folder / name, unknown)) continue;
         if (const auto hash = sha256OfFile(folder / name); hash && entry["sha256"] == *hash)
             obsolete.push_back(name);
     }

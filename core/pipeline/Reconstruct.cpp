@@ -50,6 +50,7 @@ Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path
                        {},
                        {},
                        {},
+                       {},
                        {}};
     if (const Status opened = run.output.open(); !opened) return fail(opened.error());
 
@@ -62,9 +63,7 @@ Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path
         if (reached) *reached = std::move(run.scene);
         return fail(done.error());
     }
-    auto outputs = hashedOutputs(run.output, control);
-    if (!outputs) return fail(outputs.error());
-    result.outputs = std::move(*outputs);
+    result.outputs = std::move(run.outputs);
     if (const Status placed = run.output.commit(obsoleteOutputs(outputFolder, result.outputs)); !placed)
         return fail(placed.error());
     result.scene = std::move(run.scene);

@@ -8,16 +8,12 @@
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
 #include "core/pipeline/DocumentPrinter.h"
+#include "core/pipeline/OutputFile.h"
 #include "core/pipeline/ViewRenderer.h"
 #include "core/scene/MeasuredScene.h"
 #include "core/scene/Scene.h"
 
 namespace vestige {
-
-struct OutputFile {
-    std::string path;  ///< relative to the output folder
-    std::string sha256;
-};
 
 struct Reconstruction {
     SceneState scene;  ///< loaded, registered, picks resolved

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/OutputFolder.h"
 #include "core/pipeline/DocumentPrinter.h"
-#include "core/pipeline/OutputFolder.h"
+#include "core/pipeline/OutputFile.h"
 #include "core/pipeline/Recipe.h"
 #include "core/pipeline/RegisterTogether.h"
 #include "core/pipeline/ViewRenderer.h"
@@ -36,6 +37,7 @@ struct ReconstructRun {
     MeasuredScene measured;
     std::vector<ReportPicture> pictures;
     std::vector<StageTime> stages;
+    std::vector<OutputFile> outputs;  ///< all that was written, the manifest too
     std::vector<std::string> notMade;
     std::vector<std::string> warnings;
 };

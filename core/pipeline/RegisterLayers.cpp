@@ -58,13 +58,4 @@ Result<RegistrationResult> registerLayer(const SceneState& scene, const std::str
     return registerPrepared(scene, layer, *prepared, control.sub(0.3, 1), watch);
 }
 
-Result<RegistrationResult> attemptLayer(const SceneState& scene, const std::string& layer,
-                                        const JobControl& control, const RegistrationWatch& watch) {
-    const auto prepared = prepareRegistration(scene, layer, control.sub(0, 0.3));
-    if (!prepared) return fail(prepared.error());
-    const auto pair = findPair(scene, layer);
-    if (!pair) return fail(pair.error());
-    return attemptPair(scene, *pair->source, *prepared, control.sub(0.3, 1), watch);
-}
-
 }  // namespace vestige

@@ -30,9 +30,4 @@ Result<RegistrationResult> registerPrepared(const SceneState& scene, const std::
 Result<RegistrationResult> registerLayer(const SceneState& scene, const std::string& layer,
                                          const JobControl& control, const RegistrationWatch& watch = {});
 
-/// registerLayer, but a pose that cannot be relied on is returned too, with the reasons why: for those who
-/// show what was found. Whoever enters it into the scene asks RegistrationResult::trustworthy() first.
-Result<RegistrationResult> attemptLayer(const SceneState& scene, const std::string& layer,
-                                        const JobControl& control, const RegistrationWatch& watch = {});
-
 }  // namespace vestige

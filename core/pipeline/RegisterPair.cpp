@@ -38,13 +38,15 @@ Result<TriangleMesh> preparedTarget(const SceneState& scene, const Layer& target
     const Similarity metresFromTarget{Pose::Identity(), unit};
     if (target.data->geometry->isMesh())
         return unit == 1 ? *target.data->geometry : target.data->geometry->transformed(metresFromTarget);
-    PointCloud near = *target.data->points;
+    const PointCloud* near = target.data->points.get();
+    PointCloud cut;
     if (placement.reach_m) {
         BoundingBox box = source.data->points->bounds().transformed(placement.targetFromSource);
         box.min.array() -= *placement.reach_m;
         box.max.array() += *placement.reach_m;
-        near = cropped(near, unit, box);
-        if (near.empty())
+        cut = cropped(*near, unit, box);
+        near = &cut;
+        if (cut.empty())
             return fail(ErrorCode::untrustworthy,
                         "the first pose puts the scan where the target has no points", "layer " + source.id,
                         "check the picked pairs, the pose and the unit");
@@ -53,8 +55,8 @@ Result<TriangleMesh> preparedTarget(const SceneState& scene, const Layer& target
     const double finest =
         kVoxelsPerExtent * metres(source.data->points->bounds(), placement.targetFromSource);
     if (const auto voxel = parameters.optionalReal("voxel_m"); voxel && *voxel > finest)
-        if (const Status set = parameters.set("voxel_m", finest); !set) return fail(set.error());
-    auto clean = preprocess(near, parameters, unit, control);
+        parameters.setNearest("voxel_m", finest);
+    auto clean = preprocess(*near, parameters, unit, control);
     if (!clean) return fail(clean.error());
     return TriangleMesh{unit == 1 ? std::move(*clean) : clean->transformed(metresFromTarget), {}};
 }
@@ -77,11 +79,9 @@ Result<RegistrationResult> attemptPair(const SceneState& scene, const Layer& sou
                                        const RegistrationWatch& watch) {
     ParameterSet parameters = scene.registration;
     if (prepared.error_m && parameters.isDefault("start_error_m"))
-        if (const Status set = parameters.set("start_error_m", *prepared.error_m); !set)
-            return fail(set.error());
+        parameters.setNearest("start_error_m", *prepared.error_m);
     if (prepared.voxelStart_m && parameters.isDefault("voxel_start_m"))
-        if (const Status set = parameters.set("voxel_start_m", *prepared.voxelStart_m); !set)
-            return fail(set.error());
+        parameters.setNearest("voxel_start_m", *prepared.voxelStart_m);
     auto result = attemptRegistration(prepared.target, *source.data->geometry, prepared.initial, parameters,
                                       control, watch);
     if (!result) {

@@ -44,7 +44,7 @@ Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector
                                       const LayerWatches& watches) {
     const auto paired = pairLayers(scene, ids, std::move(prepared), control, watches);
     if (!paired) return fail(paired.error());
-    return adjustLayers(scene, *paired);
+    return adjustLayers(scene, *paired, control);
 }
 
 Result<AttemptedLayers> attemptLayers(const SceneState& scene, const std::vector<std::string>& ids,

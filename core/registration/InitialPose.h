@@ -21,12 +21,14 @@ struct PointPair {
 struct PairAlignment {
     Similarity targetFromSource;
     std::vector<double> residuals_m;  ///< |target - targetFromSource * source| of each pair
-    double rms_m = 0;
+    /// How far a pair is off in space (RMS), told from the residuals: three times the sum of their squares
+    /// over the 3n - 6 degrees of freedom that a pose leaves n pairs.
+    double error_m = 0;
 };
 
 /// The least-squares rigid pose of three pairs or more for a known scale (Arun et al. 1987, Umeyama 1991).
-/// ErrorCode::untrustworthy when the points lie on a line or coincide; ErrorCode::input for fewer than three
-/// pairs.
+/// ErrorCode::untrustworthy when the points lie on a line or coincide, or when the pairs contradict each
+/// other: their error is over a quarter of their spread. ErrorCode::input for fewer than three pairs.
 Result<PairAlignment> alignPairs(std::span<const PointPair> pairs, double metresPerSourceUnit);
 
 /// picks.csv: header `tx,ty,tz,sx,sy,sz`, a pair a row, three rows or more. ErrorCode::input names file and
@@ -46,7 +48,7 @@ struct UnitGuess {
     std::string reason;
 };
 /// From the pairs' distance ratio where there are pairs (certain), else from the extent and the point spacing
-/// of the source against the target: a scan of over 50 times the target's plausible size is in millimetres.
+/// of the source against the target: a scan of over 5 times the target's plausible size is in millimetres.
 UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs);
 
 }  // namespace vestige

@@ -1,4 +1,5 @@
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 
 #include "core/base/Csv.h"
@@ -42,6 +43,21 @@ Result<PointPair> pairOf(const CsvRow& row, const std::string& place) {
     return PointPair{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
 }
 
+Status checkAgreement(std::span<const PointPair> pairs, const PairAlignment& alignment,
+                      const Eigen::Vector3d& middle) {
+    double squares = 0;
+    for (const PointPair& pair : pairs) squares += (pair.target - middle).squaredNorm();
+    const double spread = std::sqrt(squares / static_cast<double>(pairs.size()));
+    constexpr double kAllowed = 0.25;
+    if (alignment.error_m <= kAllowed * spread) return {};
+    const auto worst = std::max_element(alignment.residuals_m.begin(), alignment.residuals_m.end());
+    return fail(ErrorCode::untrustworthy,
+                "the picked pairs contradict each other: laid together as well as they can be, pair " +
+                    std::to_string(worst - alignment.residuals_m.begin() + 1) + " is " +
+                    fixedText(*worst, 2) + " m off",
+                {}, "are two rows in another order, or is the unit of the source another one?");
+}
+
 }  // namespace
 
 Result<PairAlignment> alignPairs(std::span<const PointPair> pairs, double metresPerSourceUnit) {
@@ -67,7 +83,8 @@ Result<PairAlignment> alignPairs(std::span<const PointPair> pairs, double metres
         alignment.residuals_m.push_back((pair.target - alignment.targetFromSource * pair.source).norm());
         squares += alignment.residuals_m.back() * alignment.residuals_m.back();
     }
-    alignment.rms_m = std::sqrt(squares / static_cast<double>(pairs.size()));
+    alignment.error_m = std::sqrt(squares / static_cast<double>(pairs.size() - 2));
+    if (const Status agreed = checkAgreement(pairs, alignment, target); !agreed) return fail(agreed.error());
     return alignment;
 }
 

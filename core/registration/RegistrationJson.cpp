@@ -76,4 +76,17 @@ nlohmann::json registrationJson(const RegistrationResult& result, bool withSecon
     return object;
 }
 
+nlohmann::json failedRegistrationJson(const std::string& method, const Error& error,
+                                      const std::vector<PoseCandidate>& candidates) {
+    RegistrationResult none;
+    none.method = method;
+    none.verdict = Verdict::failed;
+    none.reasons = {error.sentence()};
+    none.candidates = candidates;
+    nlohmann::json object = registrationJson(none, true);
+    for (const char* unknown : {"pose", "scale", "rmse_m", "overlap", "inlier_distance_m", "initial"})
+        object[unknown] = nullptr;
+    return object;
+}
+
 }  // namespace vestige

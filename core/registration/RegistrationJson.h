@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/base/Error.h"
 #include "core/registration/RegistrationResult.h"
 
 namespace vestige {
@@ -14,5 +15,10 @@ nlohmann::ordered_json qualityJson(const RegistrationQuality& quality);
 /// row by row, metres; the covariance of the pose about its own translation, 36 numbers; verdict, reasons and
 /// the evidence for them. `seconds` is left out where the text must not differ from run to run.
 nlohmann::json registrationJson(const RegistrationResult& result, bool withSeconds);
+
+/// The same object where the error came before there was a result: verdict failed, the error's sentence as
+/// its reason, pose and figures null; `candidates` are those of a search that had found some.
+nlohmann::json failedRegistrationJson(const std::string& method, const Error& error,
+                                      const std::vector<PoseCandidate>& candidates);
 
 }  // namespace vestige

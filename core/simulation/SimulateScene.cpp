@@ -1,5 +1,6 @@
 #include "core/simulation/SimulateScene.h"
 
+#include "core/base/OutputFolder.h"
 #include "core/simulation/SurveyFiles.h"
 
 namespace vestige {
@@ -30,19 +31,23 @@ Result<SimulatedScene> simulateScene(const SceneSpec& spec, const SimulationOpti
         const Result<Survey> survey = surveyScene(spec, options.seed, options.seconds, control.sub(0, 0.8));
         if (!survey) return fail(survey.error());
         SimulatedScene written;
-        if (const Status done = writeSurveyClouds(*survey, spec, folder, control.sub(0.8, 0.98), written);
+        OutputFolder output(folder);
+        if (const Status opened = output.open(); !opened) return fail(opened.error());
+        const std::filesystem::path& place = output.folder();
+        if (const Status done = writeSurveyClouds(*survey, spec, place, control.sub(0.8, 0.98), written);
             !done)
             return fail(done.error());
         AimOptions aims;
         aims.seed = options.seed;
         for (const bool withHandheld : {true, false}) {
             if (!withHandheld && survey->handheld.empty()) continue;
-            if (const Status done = writeCase(*survey, spec, aims, withHandheld, folder, written); !done)
+            if (const Status done = writeCase(*survey, spec, aims, withHandheld, place, written); !done)
                 return fail(done.error());
         }
-        if (const Status done = writeTruth(*survey, spec, options, aims, folder / "truth.json"); !done)
+        if (const Status done = writeTruth(*survey, spec, options, aims, place / "truth.json"); !done)
             return fail(done.error());
         written.files.push_back("truth.json");
+        if (const Status placed = output.commit(); !placed) return fail(placed.error());
         control.progress(1, "done");
         return written;
     });

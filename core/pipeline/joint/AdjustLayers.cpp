@@ -24,8 +24,8 @@ std::string closureText(double metres, double radians_) {
 
 class Adjusting {
   public:
-    Adjusting(const SceneState& scene, const PairedLayers& paired)
-        : scene_(scene), paired_(paired), layers_(layerGraph(paired)) {}
+    Adjusting(const SceneState& scene, const PairedLayers& paired, const JobControl& control)
+        : scene_(scene), paired_(paired), control_(control), layers_(layerGraph(paired)) {}
 
     AttemptedLayers run();
 
@@ -43,6 +43,7 @@ class Adjusting {
 
     const SceneState& scene_;
     const PairedLayers& paired_;
+    const JobControl& control_;
     LayerGraph layers_;
     AdjustedGraph adjusted_;
 };
@@ -61,7 +62,8 @@ void Adjusting::adjust() {
     std::vector<bool> allowed(graph.edges.size(), true);
     std::vector<std::string> whyNot(graph.edges.size());
     for (;;) {
-        adjusted_ = adjustGraph(graph, {kFalseAlarm, kDoubtfulClosure_m, kDoubtfulTurn_rad}, allowed);
+        adjusted_ =
+            adjustGraph(graph, {kFalseAlarm, kDoubtfulClosure_m, kDoubtfulTurn_rad}, allowed, control_);
         std::size_t weakest = graph.edges.size();
         for (const LoopError& loop : adjusted_.loops) {
             const bool wrong = loop.translation_m > kWrongClosure_m || loop.rotation_rad > kWrongTurn_rad;
@@ -266,9 +268,10 @@ LayerGraph layerGraph(const PairedLayers& paired) {
     return layers;
 }
 
-Result<AttemptedLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired) {
+Result<AttemptedLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired,
+                                     const JobControl& control) {
     return guarded("registration",
-                   [&]() -> Result<AttemptedLayers> { return Adjusting(scene, paired).run(); });
+                   [&]() -> Result<AttemptedLayers> { return Adjusting(scene, paired, control).run(); });
 }
 
 }  // namespace vestige

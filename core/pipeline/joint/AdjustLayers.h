@@ -15,6 +15,7 @@ LayerGraph layerGraph(const PairedLayers& paired);
 /// All poses of the members from their pairs: results of the layers that are not fixed, and the adjustment
 /// where not every layer stands by its own registration to the target. A member that no pair reaches has a
 /// failure.
-Result<AttemptedLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired);
+Result<AttemptedLayers> adjustLayers(const SceneState& scene, const PairedLayers& paired,
+                                     const JobControl& control);
 
 }  // namespace vestige

@@ -5,8 +5,8 @@
 #include "core/base/Hash.h"
 #include "core/io/LasWriter.h"
 #include "core/pipeline/ReconstructRun.h"
+#include "core/pipeline/RegistrationsJson.h"
 #include "core/pipeline/joint/AdjustmentJson.h"
-#include "core/registration/RegistrationJson.h"
 #include "core/report/AccuracyCsv.h"
 #include "core/report/MeasurementsCsv.h"
 
@@ -59,16 +59,8 @@ std::vector<LasPart> partsOf(const SceneState& scene) {
     return parts;
 }
 
-std::string registrationText(const SceneState& scene) {
-    json list = json::array();
-    for (const Layer& layer : scene.layers) {
-        if (!layer.registration) continue;
-        json entry = registrationJson(*layer.registration, false);
-        entry["layer"] = layer.id;
-        entry["via"] = layer.registration->via.empty() ? std::vector{scene.target} : layer.registration->via;
-        list.push_back(std::move(entry));
-    }
-    return list.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+std::string textOf(const json& tree) {
+    return tree.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -80,15 +72,13 @@ Status fuseStage(ReconstructRun& run, const JobControl& control) {
         writeLas(run.output.path("fused.las"), partsOf(run.scene), headerOf(run.scene), control);
     if (!fused) return fused;
     const std::pair<const char*, std::string> tables[] = {
-        {"registration.json", registrationText(run.scene)},
+        {"registration.json", textOf(registrationsJson(run.scene, false))},
         {"measurements.csv", measurementsCsv(run.measured)},
         {"accuracy.csv", accuracyCsv(run.measured.accuracy)}};
     for (const auto& [name, text] : tables)
         if (const Status written = writeTextFile(run.output.path(name), text); !written) return written;
     if (!run.adjustment) return {};
-    const std::string text =
-        adjustmentJson(*run.adjustment).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-    return writeTextFile(run.output.path("adjustment.json"), text);
+    return writeTextFile(run.output.path("adjustment.json"), textOf(adjustmentJson(*run.adjustment)));
 }
 
 }  // namespace vestige

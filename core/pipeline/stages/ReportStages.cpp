@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/AtomicFile.h"
 #include "core/base/Hash.h"
 #include "core/pipeline/Manifest.h"
@@ -11,17 +13,25 @@ Status reportStage(ReconstructRun& run, const JobControl& control) {
         run.notMade.push_back("report.pdf");
         return {};
     }
-    const ReportInput input{run.scene,    run.measured, run.warnings,
-                            run.pictures, run.stages,   softwareVersions(run.renderer, run.printer),
-                            run.date,
-                            run.adjustment ? &*run.adjustment : nullptr};
+    const ReportInput input{run.scene,    run.measured,
+                            run.warnings, run.pictures,
+                            run.stages,   softwareVersions(run.renderer, run.printer),
+                            run.date,     run.adjustment ? &*run.adjustment : nullptr};
     return run.printer->printPdf(caseReport(input), run.output.path("report.pdf"), control);
 }
 
 Status manifestStage(ReconstructRun& run, const JobControl& control) {
     auto outputs = hashedOutputs(run.output, control);
     if (!outputs) return fail(outputs.error());
-    return writeTextFile(run.output.path("manifest.json"), manifestText(run, *outputs));
+    constexpr const char* kManifest = "manifest.json";
+    const std::string text = manifestText(run, *outputs);
+    run.outputs = std::move(*outputs);
+    const auto after = std::find_if(run.outputs.begin(), run.outputs.end(),
+                                    [&](const OutputFile& file) { return file.path > kManifest; });
+    Sha256 hash;
+    hash.add(text);
+    run.outputs.insert(after, {kManifest, hash.hex()});
+    return writeTextFile(run.output.path(kManifest), text);
 }
 
 }  // namespace vestige

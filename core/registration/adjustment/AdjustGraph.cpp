@@ -25,26 +25,51 @@ struct Trial {
     double chiSquare = 0;
 };
 
-/// All fits without `count` of the edges used (1 or 2), the best first.
-std::vector<Trial> leavingOut(int count, const PoseGraph& graph, const std::vector<bool>& used,
-                              const FittedPoses& fit) {
-    std::vector<Trial> trials;
-    const auto attempt = [&](std::vector<std::size_t> without) {
+void sortByFit(std::vector<Trial>& trials) {
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.chiSquare < b.chiSquare; });
+}
+
+/// A graph that is being tried with some of its edges.
+struct Trying {
+    const PoseGraph& graph;
+    const std::vector<bool>& used;
+    const FittedPoses& fit;  ///< with all that are used
+    const JobControl& control;
+
+    void attempt(std::vector<std::size_t> without, std::vector<Trial>& trials) const {
+        if (control.cancelled()) throw ErrorException{cancelledError()};
         std::vector<bool> others = used;
         for (const std::size_t e : without) others[e] = false;
         const FittedPoses rest = fitPoses(graph, others);
         if (nodesInReach(rest) == nodesInReach(fit)) trials.push_back({std::move(without), rest.chiSquare});
-    };
-    for (std::size_t a = 0; a < used.size(); ++a) {
-        if (!used[a]) continue;
-        if (count == 1) attempt({a});
-        for (std::size_t b = a + 1; count == 2 && b < used.size(); ++b)
-            if (used[b]) attempt({a, b});
     }
-    std::stable_sort(trials.begin(), trials.end(),
-                     [](const Trial& a, const Trial& b) { return a.chiSquare < b.chiSquare; });
-    return trials;
-}
+
+    /// All fits without one of the edges used, the best first.
+    std::vector<Trial> withoutOne() const {
+        std::vector<Trial> trials;
+        for (std::size_t e = 0; e < used.size(); ++e)
+            if (used[e]) attempt({e}, trials);
+        sortByFit(trials);
+        return trials;
+    }
+
+    /// Fits without two edges, the best first: of the edges whose own absence helps most, since the number of
+    /// pairs of all edges grows with the fourth power of that of the scans.
+    std::vector<Trial> withoutTwo(const std::vector<Trial>& withoutOne) const {
+        constexpr std::size_t kCandidates = 24;
+        std::vector<std::size_t> candidates;
+        for (const Trial& trial : withoutOne)
+            if (candidates.size() < kCandidates) candidates.push_back(trial.without.front());
+        std::sort(candidates.begin(), candidates.end());
+        std::vector<Trial> trials;
+        for (std::size_t a = 0; a < candidates.size(); ++a)
+            for (std::size_t b = a + 1; b < candidates.size(); ++b)
+                attempt({candidates[a], candidates[b]}, trials);
+        sortByFit(trials);
+        return trials;
+    }
+};
 
 /// How probable it is that the sum of squares falls by `drop` where nothing is wrong, given what remains.
 double probabilityOf(double drop, int dropDegrees, double remaining, int degrees) {
@@ -79,21 +104,23 @@ bool farOff(const PoseGraph& graph, const std::vector<bool>& used, const std::ve
     });
 }
 
-Outliers outliers(const PoseGraph& graph, const std::vector<bool>& used, const FittedPoses& fit,
-                  const AdjustmentOptions& options) {
+Outliers outliers(const Trying& trying, const AdjustmentOptions& options) {
+    const FittedPoses& fit = trying.fit;
     const double falseAlarm = options.falseAlarm;
     if (fit.degrees == 0 || chiSquareTail(fit.chiSquare, fit.degrees) > falseAlarm) return {};
+    const auto withoutOne = trying.withoutOne();
     // Two wrong edges hide each other from a search for one.
     for (const int count : {1, 2}) {
         const int degrees = fit.degrees - 6 * count;
         if (degrees < 0 || (count == 2 && degrees == 0)) break;
-        const auto trials = leavingOut(count, graph, used, fit);
+        const auto trials = count == 1 ? withoutOne : trying.withoutTwo(withoutOne);
         if (trials.empty()) break;
         const Trial& best = trials.front();
         Outliers found{best.without,
                        probabilityOf(fit.chiSquare - best.chiSquare, 6 * count, best.chiSquare, degrees),
                        true};
-        if (found.probability > falseAlarm || !farOff(graph, used, best.without, options)) continue;
+        if (found.probability > falseAlarm || !farOff(trying.graph, trying.used, best.without, options))
+            continue;
         for (std::size_t i = 1; i < trials.size(); ++i) {
             const double worse = trials[i].chiSquare - best.chiSquare;
             if (degrees > 0 && probabilityOf(worse, 6, best.chiSquare, degrees) <= falseAlarm) break;
@@ -110,7 +137,7 @@ Outliers outliers(const PoseGraph& graph, const std::vector<bool>& used, const F
 }  // namespace
 
 AdjustedGraph adjustGraph(const PoseGraph& graph, const AdjustmentOptions& options,
-                          const std::vector<bool>& allowed) {
+                          const std::vector<bool>& allowed, const JobControl& control) {
     AdjustedGraph adjusted;
     adjusted.edges.resize(graph.edges.size());
     std::vector<bool> used(graph.edges.size());
@@ -122,7 +149,7 @@ AdjustedGraph adjustGraph(const PoseGraph& graph, const AdjustmentOptions& optio
     }
     adjusted.fit = fitPoses(graph, used);
     for (;;) {
-        Outliers found = outliers(graph, used, adjusted.fit, options);
+        Outliers found = outliers({graph, used, adjusted.fit, control}, options);
         if (!found.certain) adjusted.suspects = std::move(found.edges);
         if (!found.certain || found.edges.empty()) break;
         for (const std::size_t e : found.edges) {
@@ -136,7 +163,7 @@ AdjustedGraph adjustGraph(const PoseGraph& graph, const AdjustmentOptions& optio
     const auto tree = surestTree(graph, used);
     adjusted.unadjusted = posesAlong(graph, tree);
     adjusted.loops = loopErrors(graph, tree, measured);
-    for (const Trial& trial : leavingOut(1, graph, used, fit)) {
+    for (const Trial& trial : Trying{graph, used, fit, control}.withoutOne()) {
         AdjustedEdge& edge = adjusted.edges[trial.without.front()];
         edge.controlled = true;
         edge.chiSquare = fit.chiSquare - trial.chiSquare;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/JobControl.h"
 #include "core/registration/adjustment/AdjustPoses.h"
 #include "core/registration/adjustment/PoseGraph.h"
 
@@ -57,8 +58,9 @@ struct AdjustedGraph {
 /// the two, without which the sum of squares is least, if it falls significantly (chi-square, or F test where
 /// the others agree less well than they say; data snooping: Baarda 1968, Pope 1976) and significantly further
 /// than without any other. Then fits the rest. Edges that `allowed` does not mark (all, where it is empty)
-/// take no part.
+/// take no part. Two wrong edges are looked for among the 24 that matter most one by one. Throws
+/// ErrorException when the job is cancelled.
 AdjustedGraph adjustGraph(const PoseGraph& graph, const AdjustmentOptions& options = {},
-                          const std::vector<bool>& allowed = {});
+                          const std::vector<bool>& allowed = {}, const JobControl& control = {});
 
 }  // namespace vestige

@@ -31,3 +31,51 @@ TEST(AtomicFile, SaysWhenItCannotWrite) {
     EXPECT_EQ(writeTextFile(folder / "file/below", "").error().code, ErrorCode::output);
     EXPECT_EQ(writeTextFile(folder.path(), "").error().code, ErrorCode::output);
 }
+
+TEST(AtomicFile, SeveralStandAllOrNone) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "a.txt", "old"));
+    {
+        AtomicFile a(folder / "a.txt"), b(folder / "b.txt"), c(folder / "c.txt");
+        for (AtomicFile* file : {&a, &b, &c}) {
+            ASSERT_TRUE(file->open());
+            file->write("new");
+        }
+        std::filesystem::create_directory(folder / "c.txt");  // comes in the way after open()
+        const Status done = AtomicFile::commit({&a, &b, &c});
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().code, ErrorCode::output);
+    }
+    EXPECT_EQ(readTextFile(folder / "a.txt").value(), "old");
+    EXPECT_FALSE(std::filesystem::exists(folder / "b.txt"));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2) << "a.txt, c.txt";
+    {
+        AtomicFile a(folder / "a.txt"), b(folder / "b.txt");
+        for (AtomicFile* file : {&a, &b}) {
+            ASSERT_TRUE(file->open());
+            file->write("new");
+        }
+        ASSERT_TRUE(AtomicFile::commit({&a, &b}));
+    }
+    EXPECT_EQ(readTextFile(folder / "a.txt").value(), "new");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);
+}
+
+TEST(AtomicFile, WritesIntoADeviceAndLeavesIt) {
+    ASSERT_TRUE(writeTextFile("/dev/null", "nothing"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, SaysWhenAPlaceCannotBeLookedAt) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_symlink("loop", folder / "loop");
+    const Status done = writeTextFile(folder / "loop/file", "");
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::output);
+}
+
+TEST(AtomicFile, KnowsTheSamePlaceByOtherNames) {
+    EXPECT_TRUE(samePlace("a.csv", "./x/../a.csv"));
+    EXPECT_FALSE(samePlace("a.csv", "b.csv"));
+    EXPECT_FALSE(samePlace("", ""));
+}

@@ -35,7 +35,7 @@ TEST(AlignPairs, FindsThePoseExactlyFromExactPairs) {
     const auto alignment = alignPairs(pairs(0), 0.001);
     ASSERT_TRUE(alignment) << alignment.error().sentence();
     EXPECT_NEAR((alignment->targetFromSource.pose.linear() - truth().pose.linear()).norm(), 0, 1e-7);
-    EXPECT_LT(alignment->rms_m, 1e-7);
+    EXPECT_LT(alignment->error_m, 1e-7);
     EXPECT_EQ(alignment->targetFromSource.scale, 0.001);
 }
 
@@ -43,8 +43,37 @@ TEST(AlignPairs, GivesTheResidualOfEachPair) {
     const auto alignment = alignPairs(pairs(0.02), 0.001);
     ASSERT_TRUE(alignment);
     ASSERT_EQ(alignment->residuals_m.size(), 5U);
-    EXPECT_GT(alignment->rms_m, 0.005);
-    EXPECT_LT(alignment->rms_m, 0.05);
+    EXPECT_GT(alignment->error_m, 0.005);
+    EXPECT_LT(alignment->error_m, 0.05);
+}
+
+TEST(AlignPairs, TellsTheErrorOfThreePairsNotTheirResidual) {
+    constexpr double kError_m = 0.02;
+    Random random(5);
+    double squares = 0;
+    constexpr int kTrials = 2000;
+    for (int trial = 0; trial < kTrials; ++trial) {
+        std::vector<PointPair> three = pairs(0);
+        three.resize(3);
+        for (PointPair& pair : three) {
+            const double x = random.normal(), y = random.normal(), z = random.normal();
+            pair.target += kError_m * Eigen::Vector3d(x, y, z);
+        }
+        const auto alignment = alignPairs(three, 0.001);
+        ASSERT_TRUE(alignment);
+        squares += alignment->error_m * alignment->error_m;
+    }
+    EXPECT_NEAR(std::sqrt(squares / kTrials), std::sqrt(3.0) * kError_m, 0.05 * kError_m);
+}
+
+TEST(AlignPairs, RefusesPairsThatContradictEachOther) {
+    std::vector<PointPair> swapped = pairs(0.01);
+    std::swap(swapped[1].target, swapped[3].target);
+    const auto alignment = alignPairs(swapped, 0.001);
+    ASSERT_FALSE(alignment);
+    EXPECT_EQ(alignment.error().code, ErrorCode::untrustworthy);
+    EXPECT_NE(alignment.error().message.find("pair "), std::string::npos);
+    EXPECT_FALSE(alignPairs(pairs(0.01), 1)) << "millimetres taken for metres";
 }
 
 TEST(AlignPairs, RefusesPointsOnALineAndTooFew) {

@@ -20,6 +20,8 @@ class OutputFolder {
 
     /// Makes the folder to write into. ErrorCode::output when it cannot be made or `place` is no folder.
     Status open();
+    /// The folder to write into until commit().
+    const std::filesystem::path& folder() const { return temporary_; }
     /// Where to write the file that will be called `name` ("screenshots/top.png"); its folder is made.
     std::filesystem::path path(const std::string& name);
     /// Names of the files written so far, sorted, with '/'.

@@ -1,40 +1,16 @@
-#include "core/pipeline/OutputFolder.h"
+#include "core/base/OutputFolder.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "core/base/FileReplacements.h"
+
 namespace vestige {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Move {
-    fs::path from;
-    fs::path to;
-};
-
-/// Renames one after the other and remembers how to take it back.
-class Moves {
-  public:
-    std::error_code make(const fs::path& from, const fs::path& to) {
-        std::error_code error;
-        fs::create_directories(to.parent_path(), error);
-        if (!error) fs::rename(from, to, error);
-        if (!error) done_.push_back({from, to});
-        return error;
-    }
-    void takeBack() {
-        std::error_code ignored;
-        for (auto move = done_.rbegin(); move != done_.rend(); ++move)
-            fs::rename(move->to, move->from, ignored);
-        done_.clear();
-    }
-
-  private:
-    std::vector<Move> done_;
-};
 
 }  // namespace
 
@@ -70,10 +46,10 @@ fs::path OutputFolder::path(const std::string& name) {
 
 std::vector<std::string> OutputFolder::files() const {
     std::vector<std::string> names;
-    std::error_code error;
+    std::error_code error, unknown;
     for (fs::recursive_directory_iterator entry(temporary_, error), end; !error && entry != end;
          entry.increment(error))
-        if (entry->is_regular_file())
+        if (entry->is_regular_file(unknown))
             names.push_back(entry->path().lexically_relative(temporary_).generic_string());
     std::sort(names.begin(), names.end());
     return names;
@@ -82,26 +58,29 @@ std::vector<std::string> OutputFolder::files() const {
 Status OutputFolder::commit(const std::vector<std::string>& obsolete) {
     const auto names = files();
     const fs::path old = temporary_ / ".old";
-    const bool fresh = !fs::exists(place_);
-    Moves moves;
+    std::error_code unknown;
+    const bool fresh = !fs::exists(place_, unknown) && !unknown;
     const auto failed = [&](const std::string& name, const std::error_code& error) {
-        moves.takeBack();
-        std::error_code ignored;
-        if (fresh) fs::remove_all(place_, ignored);
         return fail(ErrorCode::output, "the file cannot be put in place: " + error.message(),
                     (place_ / name).string());
     };
-    std::vector<std::string> leaving = obsolete;
-    leaving.insert(leaving.end(), names.begin(), names.end());
-    for (const auto& name : leaving) {
-        if (!fs::exists(place_ / name)) continue;
-        if (fs::is_directory(place_ / name))
-            return failed(name, std::make_error_code(std::errc::is_a_directory));
-        if (const auto error = moves.make(place_ / name, old / name)) return failed(name, error);
+    Status done;
+    {
+        FileReplacements moves;
+        for (const auto& name : obsolete) {
+            if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+            if (const auto error = moves.remove(place_ / name, old / name); done && error)
+                done = failed(name, error);
+        }
+        for (const auto& name : names) {
+            if (!done) break;
+            if (const auto error = moves.replace(temporary_ / name, place_ / name, old / name))
+                done = failed(name, error);
+        }
+        if (done) moves.keep();
     }
-    for (const auto& name : names)
-        if (const auto error = moves.make(temporary_ / name, place_ / name)) return failed(name, error);
-    return {};
+    if (!done && fresh) fs::remove_all(place_, unknown);
+    return done;
 }
 
 }  // namespace vestige

@@ -1,4 +1,4 @@
-#include "core/pipeline/OutputFolder.h"
+#include "core/base/OutputFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +78,25 @@ TEST(OutputFolder, PutsEverythingBackWhenAFileCannotBeMoved) {
     }
     EXPECT_THAT(namesIn(folder.path()), ElementsAre("out/a.csv"));
     EXPECT_EQ(readTextFile(folder / "out/a.csv").value(), "old");
+}
+
+TEST(OutputFolder, PutsEverythingBackWhenAFolderCannotBeLookedInto) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "out/a.csv", "old"));
+    ASSERT_TRUE(writeTextFile(folder / "out/gone.csv", "old"));
+    fs::create_symlink("pictures", folder / "out/pictures");  // a link to itself
+    {
+        OutputFolder output(folder / "out");
+        ASSERT_TRUE(output.open());
+        ASSERT_TRUE(writeTextFile(output.path("a.csv"), "new"));
+        ASSERT_TRUE(writeTextFile(output.path("pictures/top.png"), "new"));
+        const Status done = output.commit({"gone.csv"});
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().code, ErrorCode::output);
+    }
+    EXPECT_EQ(readTextFile(folder / "out/a.csv").value(), "old");
+    EXPECT_EQ(readTextFile(folder / "out/gone.csv").value(), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "nothing is left beside";
 }
 
 TEST(OutputFolder, RefusesAPlaceThatIsAFile) {
