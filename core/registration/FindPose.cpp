@@ -42,16 +42,13 @@ ImprovedNdtOptions ndtOptions(const ParameterSet& parameters, double sourceRadiu
                        2 * *options.voxel_m <= options.voxelStart_m;
     if (!paper && (startError_m || small || given)) options.shiftedGrids = 4;
     if (given && !options.leaf_m) options.leaf_m = *options.voxel_m / 2;
-    if (startError_m && !paper)
-        options.voxelFloor_m = std::max(options.voxelFloor_m,
-                                        std::min(options.voxelStart_m, kSmallestKnownStart * sourceRadius_m));
     if (!paper) options.voxelCeiling_m = std::max(options.voxelFloor_m, sourceRadius_m / 5);
     options.distributions.flatCellsInPlane = paper;
     options.distributions.outlierRatio = parameters.real("outlier_ratio");
     options.distributions.flatness = parameters.real("flatness");
     const auto noise_m = parameters.optionalReal("range_noise_m");
     options.distributions.rangeNoise_m = noise_m.value_or(0);
-    options.estimateNoise = startError_m && !noise_m && !paper;
+    options.estimateNoise = (startError_m || small) && !noise_m && !paper;
     options.trustRadius_m = parameters.optionalReal("trust_radius_m");
     if (paper && !options.trustRadius_m) options.trustRadius_m = kPaperTrustRadius_m;
     options.trustRegion.damping = parameters.real("damping");

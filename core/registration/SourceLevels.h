@@ -11,8 +11,9 @@ namespace vestige {
 /// memory.
 class SourceLevels {
   public:
-    /// `frame` must outlive the levels; `leaf` is the finest thinning, metres.
-    SourceLevels(const RegistrationFrame& frame, double leaf);
+    /// `frame` must outlive the levels; `leaf` is the finest thinning, metres. It doubles, up to `largest`,
+    /// until its voxels hold four points on average: the mean of fewer is hardly better than one of them.
+    SourceLevels(const RegistrationFrame& frame, double leaf, double largest = 0);
 
     /// Thinned to `size`, or to the leaf where that is larger.
     CentredSource at(double size) const;

@@ -15,6 +15,8 @@ namespace {
 /// A level needs no finer source than this share of its voxel (METHOD section 2: the coarser levels of the
 /// thinning serve registration).
 constexpr double kSourcePerVoxel = 1.0 / 8;
+/// The thinning that a sparse source may get, against v0.
+constexpr double kLargestLeaf = 1.0 / 8;
 /// Before the last level a pose is good enough when the next step is shorter than this share of the voxel.
 constexpr double kStepPerVoxel = 1.0 / 1000;
 constexpr double kFirstBound = 1.0 / 4;
@@ -42,7 +44,8 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     control.progress(0.4, "normal distributions");
     const double smallest = levels.smallest();
     const double leaf = options.leaf_m.value_or(options.published ? smallest / 2 : smallest);
-    const SourceLevels sources(frame, leaf);
+    const bool leafIsFree = !options.leaf_m && !options.published;
+    const SourceLevels sources(frame, leaf, leafIsFree ? kLargestLeaf * levels.size(0) : leaf);
     const std::size_t count = levels.wholeLevels() + (options.published           ? 0
                                                       : options.shiftedGrids == 1 ? 2
                                                                                   : 1);

@@ -14,11 +14,11 @@ constexpr double kFactor = 0.5;
 constexpr double kLastWhole = 1.0 / 4;
 /// As every point counts in the smallest cell that holds it, v_n may leave most points to larger ones.
 constexpr double kVotingShare = 0.1;
-/// The largest flat cells against v0. Those of half of v0 hold what sparse scans have far off; on small
-/// sources, and under cells of a size that the user chose, which may be large, they would drag on lawns by
-/// centimetres.
-constexpr double kLargestFlat = 1.0 / 2;
-constexpr double kLargestShifted = 1.0 / 4;
+/// The largest flat cells against v0: larger ones drag on lawns by centimetres.
+constexpr double kLargestFlat = 1.0 / 4;
+/// What lies beside the surfaces must not pull: the larger the share of outliers, the earlier the score falls
+/// off.
+constexpr double kBesideSurfaces = 0.8;
 /// Flat cells that hold less than this share of the target cannot hold the source.
 constexpr double kLeastFlat = 0.15;
 /// A surface is as thin as its points lie; cells of few points may look thinner than any scanner measures.
@@ -52,7 +52,7 @@ void TargetLevels::choose(std::size_t targetPoints) {
     std::vector<FlatnessCount> counts;
     const double finest = finestOf(options_);
     const double factor = options_.published ? kPublishedFactor : kFactor;
-    const double share = options_.published || options_.shiftedGrids > 1 ? 0.5 : kVotingShare;
+    const double share = options_.published ? 0.5 : kVotingShare;
     std::vector<NormalDistributions> cells;
     for (const double size : voxelSchedule(std::max(options_.voxelStart_m, finest), finest, factor)) {
         cells.push_back(at(VoxelGrid(size), options_.distributions));
@@ -92,6 +92,7 @@ NormalDistributions TargetLevels::at(const VoxelGrid& grid, const DistributionOp
 DistributionOptions TargetLevels::surfaceOptions(double deviation_m) const {
     DistributionOptions options = options_.distributions;
     options.flatOnly = flatHold_;
+    options.outlierRatio = std::max(options.outlierRatio, kBesideSurfaces);
     options.leastShare = kLeastThickness;
     options.leastDeviation_m = deviation_m;
     return options;
@@ -110,8 +111,7 @@ std::vector<NormalDistributions> TargetLevels::surfaces(double deviation_m, doub
 }
 
 double TargetLevels::largestSurface() const {
-    const double share = options_.shiftedGrids > 1 ? kLargestShifted : kLargestFlat;
-    return std::max(smallest_, share * options_.voxelStart_m);
+    return std::max(smallest_, kLargestFlat * options_.voxelStart_m);
 }
 
 std::vector<NormalDistributions> TargetLevels::shiftedSurfaces(double deviation_m) const {
