@@ -2,14 +2,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/registration/RegistrationFrame.h"
+#include "core/registration/quality/DirectionWords.h"
+#include "core/registration/quality/FreeSpace.h"
 #include "core/registration/quality/Judge.h"
 #include "core/registration/quality/Observability.h"
 #include "core/registration/quality/ResidualStatistics.h"
 #include "core/registration/quality/Restarts.h"
+#include "core/registration/quality/RivalPoses.h"
 #include "core/registration/quality/SurfaceFit.h"
 
 namespace vestige {
@@ -21,11 +23,13 @@ constexpr double kVarianceScale = 1.9;
 constexpr double kCellError = 1.6e-4;
 /// Of the squared step between the two fits: it holds the errors of both.
 constexpr double kStepShare = 0.5;
-constexpr double kChiSquare95 = 12.592;  // of six degrees of freedom
-constexpr double kMargin = 0.5;          // of the source's radius, round its bounds
+constexpr double kChiSquare95Of3 = 7.815;
+constexpr double kMargin = 0.5;  // of the source's radius, round its bounds
 constexpr double kRestartOfRadius = 0.03;
-constexpr double kAsGood = 0.95;
-constexpr double kBetter = 1.05;
+constexpr double kFarthestOfRadius = 0.1;
+constexpr double kApartOfRadius = 0.02;  // of poses that count as others
+constexpr double kWorthATry = 0.4;       // of the found pose's score
+constexpr double kLargestSeen = 8;       // finest cells: of surface that free space is asked about
 
 /// Of (t, r w) of the found pose: that of the least-squares pose nearby, and the step to it.
 Matrix6d covarianceOf(const PoseInformation& information, const Vector6d& step, double cell_m) {
@@ -41,43 +45,28 @@ Matrix6d inRadians(const Matrix6d& covariance, double radius_m) {
     return scale.asDiagonal() * covariance * scale.asDiagonal();
 }
 
-/// How well a pose explains both clouds: to compare poses of one pair.
-double scoreOf(const SurfaceFit& fit, const Pose& pose) {
-    const SurfaceShares source = fit.sourceShares(pose);
-    const SurfaceShares target = fit.targetShares(pose);
-    return source.agrees + target.agrees + source.support + target.support;
+/// The half axis of a 95 % ellipsoid of three of p's components, where it is longest.
+Reach longestOf(const Matrix6d& covariance, Eigen::Index first) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance.block<3, 3>(first, first));
+    Vector6d motion = Vector6d::Zero();
+    motion.segment<3>(first) = solver.eigenvectors().col(2);
+    return {std::sqrt(kChiSquare95Of3 * std::max(0.0, solver.eigenvalues()[2])), motionWords(motion)};
 }
 
-/// Restarts near the result and turned by half: how many come back, and whether another pose fits as well.
-void tryAgain(const RegistrationResult& result, const SurfaceFit& fit, const RestartPlan& plan,
-              const std::function<Pose(const Pose&)>& toLocal, const Eigen::Vector3d& middle,
-              const RegisterAgain& again, const JobControl& control, RegistrationQuality& quality,
-              Evidence& evidence) {
-    const Pose& found = result.targetFromSource.pose;
-    const std::array centres{plan.pivot_m, middle};
-    std::vector<RestartOutcome> outcomes = restart(found, plan, again, control.sub(0, 0.8));
+/// Starts near the result: how many come back, and where the others end.
+void tryAgain(const RegistrationResult& result, const RestartPlan& plan, const RegisterAgain& again,
+              const JobControl& control, RegistrationQuality& quality, std::vector<RestartOutcome>& astray) {
     quality.restarts.runs = plan.runs;
-    for (const RestartOutcome& outcome : outcomes) {
-        if (!outcome.agrees) continue;
+    for (const RestartOutcome& outcome : restart(result.targetFromSource.pose, plan, again, control)) {
+        if (!outcome.agrees) {
+            astray.push_back(outcome);
+            continue;
+        }
         ++quality.restarts.agreeing;
         quality.restarts.translation_m =
             std::max(quality.restarts.translation_m, outcome.step.head<3>().norm());
         quality.restarts.rotation_rad =
             std::max(quality.restarts.rotation_rad, outcome.step.tail<3>().norm() / plan.radius_m);
-    }
-    const std::size_t near = outcomes.size();
-    const auto turned = restartTurned(found, plan, centres, again, control.sub(0.8, 1));
-    outcomes.insert(outcomes.end(), turned.begin(), turned.end());
-    const double score = scoreOf(fit, toLocal(found));
-    double best = kAsGood * score;
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        if (outcomes[i].agrees) continue;
-        const double other = scoreOf(fit, toLocal(outcomes[i].pose));
-        if (other <= best) continue;
-        best = other;
-        evidence.betterElsewhere_m = outcomes[i].step.norm();
-        // From behind, a hall may look better by chance of where the stations stood.
-        evidence.muchBetter = i < near && other > kBetter * score;
     }
 }
 
@@ -106,25 +95,52 @@ void assess(RegistrationResult& result, const PointCloud& target, const PointClo
         information, stepBetween(found, refined, information.pivot_m, information.radius_m), fit.finest_m());
     quality.directions = observedDirections(information, covariance, options.freeSigma_m);
     quality.uncertainty = {inRadians(covariance, information.radius_m), information.pivot_m + origin};
-    evidence.longestHalfAxis_m = std::sqrt(
-        kChiSquare95 *
-        Eigen::SelfAdjointEigenSolver<Matrix6d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[5]);
+    evidence.shift = longestOf(covariance, 0);
+    evidence.turn = longestOf(covariance, 3);
+    evidence.turn.size /= information.radius_m;
+    evidence.radius_m = information.radius_m;
     evidence.source = fit.sourceShares(found);
     evidence.target = fit.targetShares(found);
+    evidence.score = poseScore(evidence.source, evidence.target);
+    const FreeSpace space({frame.target(), fit.target().cells(), -origin},
+                          {centred.points, fit.source().cells(), -centred.centre}, fit.tolerance_m(),
+                          kLargestSeen * fit.finest_m());
+    evidence.through = space.through(found);
     control.progress(0.3, "quality");
 
     RestartPlan plan;
     plan.runs = options.restarts;
+    const double uncertain_m = std::max(evidence.shift.size, evidence.turn.size * information.radius_m);
     plan.distance_m = std::max(kRestartOfRadius * information.radius_m,
-                               std::min(evidence.longestHalfAxis_m, 0.1 * information.radius_m));
+                               std::min(uncertain_m, kFarthestOfRadius * information.radius_m));
     plan.pivot_m = information.pivot_m + origin;
     plan.radius_m = information.radius_m;
     plan.covariance = covariance;
     plan.tolerance_m = 0.5 * fit.tolerance_m();
-    if (options.restarts > 0)
-        tryAgain(
-            result, fit, plan, [&](const Pose& pose) { return frame.toLocal(pose, centred); },
-            fit.middle(found) + origin, again, control.sub(0.3, 1), quality, evidence);
+    std::vector<RestartOutcome> astray;
+    tryAgain(result, plan, again, control.sub(0.3, 0.9), quality, astray);
+    for (const RestartOutcome& outcome : astray) {
+        const Pose pose = frame.toLocal(outcome.pose, centred);
+        evidence.rivals.push_back({outcome.step.norm(), poseScore(fit, pose), space.through(pose), true});
+    }
+    evidence.apart_m = std::max(kApartOfRadius * information.radius_m, 2 * uncertain_m);
+    bool tried = false;
+    for (RivalPose rival : rivalPoses(fit, found, evidence.apart_m)) {
+        double through = space.through(rival.pose);
+        // One that free space prefers is worth a registration of its own; the cells alone may not get there.
+        if (!tried && rival.score > kWorthATry * evidence.score && clearer(through, evidence.through)) {
+            tried = true;
+            if (const Result<Pose> pose = again(frame.toWorld(rival.pose, centred))) {
+                const Pose local = frame.toLocal(*pose, centred);
+                const double score = poseScore(fit, local);
+                if (score > rival.score) rival = {local, score};
+                through = space.through(rival.pose);
+            }
+        }
+        evidence.rivals.push_back(
+            {stepBetween(found, rival.pose, information.pivot_m, information.radius_m).norm(), rival.score,
+             through, false});
+    }
     Judgement judgement = judge(result, quality, evidence, options);
     result.verdict = judgement.verdict;
     result.reasons = std::move(judgement.reasons);

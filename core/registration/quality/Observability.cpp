@@ -39,12 +39,17 @@ std::vector<ObservedDirection> observedDirections(const PoseInformation& informa
                                                   const Matrix6d& covariance, double freeSigma_m) {
     const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(information.hessian);
     const auto sigmaOf = [&](const Vector6d& v) { return std::sqrt(std::max(0.0, v.dot(covariance * v))); };
+    // The covariance knows more than the Hessian: any of the six may be free, those come first.
+    Matrix6d vectors;
     Eigen::Index free = 0;
-    for (; free < 6; ++free) {
-        const Vector6d v = solver.eigenvectors().col(free);
-        if (sigmaOf(v) <= freeSigma_m && solver.eigenvalues()[free] > v.dot(information.noise * v)) break;
-    }
-    Matrix6d vectors = solver.eigenvectors();
+    const auto isFree = [&](Eigen::Index i) {
+        const Vector6d v = solver.eigenvectors().col(i);
+        return !(sigmaOf(v) <= freeSigma_m && solver.eigenvalues()[i] > v.dot(information.noise * v));
+    };
+    for (Eigen::Index i = 0; i < 6; ++i)
+        if (isFree(i)) vectors.col(free++) = solver.eigenvectors().col(i);
+    for (Eigen::Index i = 0, held = free; i < 6; ++i)
+        if (!isFree(i)) vectors.col(held++) = solver.eigenvectors().col(i);
     if (free > 0) vectors.leftCols(free) = untangled(vectors.leftCols(free));
     std::vector<ObservedDirection> directions(6);
     for (Eigen::Index i = 0; i < 6; ++i) {

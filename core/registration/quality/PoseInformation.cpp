@@ -121,6 +121,7 @@ PoseInformation poseInformation(std::span<const SurfaceMatch> matches, const std
         squares += cells[match.cell].area_m2 * (match.place - info.pivot_m).squaredNorm();
         if (match.state == SurfaceState::agrees) sizes.push_back(std::abs(match.distance_m));
     }
+    if (!(squares > 0)) return info;  // one cell holds no turn
     info.radius_m = std::sqrt(squares / area);
     info.sigma_m = kSigmasPerMad * medianOf(sizes);
     const double common = commonVariance(matches, info.sigma_m * info.sigma_m);

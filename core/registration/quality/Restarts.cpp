@@ -45,19 +45,4 @@ std::vector<RestartOutcome> restart(const Pose& found, const RestartPlan& plan, 
     return outcomes;
 }
 
-std::vector<RestartOutcome> restartTurned(const Pose& found, const RestartPlan& plan,
-                                          std::span<const Eigen::Vector3d> centres,
-                                          const RegisterAgain& again, const JobControl& control) {
-    const Eigen::Matrix3d half = Eigen::Vector3d(-1, -1, 1).asDiagonal();
-    std::vector<RestartOutcome> outcomes;
-    for (const Eigen::Vector3d& centre : centres) {
-        if (control.cancelled()) throw ErrorException{cancelledError()};
-        Pose turn = Pose::Identity();
-        turn.linear() = half;
-        turn.translation() = centre - half * centre;
-        if (const Result<Pose> pose = again(turn * found)) outcomes.push_back(outcomeOf(found, *pose, plan));
-    }
-    return outcomes;
-}
-
 }  // namespace vestige

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/base/JobControl.h"
@@ -23,12 +22,6 @@ struct RestartPlan {
     Matrix6d covariance = Matrix6d::Zero();  ///< of (t, r w)
     double tolerance_m = 0;                  ///< a step shorter than this agrees in any case
 };
-
-/// The same from the pose turned by half about the vertical (z) through each of these places: rooms and rows
-/// of columns often look alike from behind. Only what was found is returned.
-std::vector<RestartOutcome> restartTurned(const Pose& found, const RestartPlan& plan,
-                                          std::span<const Eigen::Vector3d> centres,
-                                          const RegisterAgain& again, const JobControl& control);
 
 /// Runs the registration from starts in fixed pseudo-random directions; one that finds nothing counts as one
 /// that disagrees and leaves no outcome. Throws ErrorException when the job is cancelled.

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/base/Parallel.h"
@@ -101,49 +102,67 @@ double flattestQuarter(std::span<const Eigen::Vector3f> points, double size_m) {
 
 SurfaceIndex::SurfaceIndex(std::vector<SurfaceCell> cells, double finest_m, int levels)
     : cells_(std::move(cells)), finest_m_(finest_m), levels_(static_cast<std::size_t>(levels)) {
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-        const auto level = static_cast<std::size_t>(std::lround(std::log2(cells_[i].size_m / finest_m_)));
-        const Eigen::Vector3d mean = askew() * cells_[i].mean;
-        levels_[level].push_back({VoxelGrid(cells_[i].size_m).key(mean.x(), mean.y(), mean.z()), i});
+    const auto levelOf = [&](const SurfaceCell& cell) {
+        return static_cast<std::size_t>(std::lround(std::log2(cell.size_m / finest_m_)));
+    };
+    std::vector<std::size_t> counts(levels_.size(), 0);
+    for (const SurfaceCell& cell : cells_) ++counts[levelOf(cell)];
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        levels_[i].table.assign(std::bit_ceil(4 * counts[i] + 1), {VoxelGrid::kNoKey, 0});
+        levels_[i].mask = static_cast<std::uint32_t>(levels_[i].table.size() - 1);
     }
-    for (auto& level : levels_)
-        std::sort(level.begin(), level.end(), [](const Entry& a, const Entry& b) {
-            return a.key != b.key ? a.key < b.key : a.cell < b.cell;
-        });
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+        const Eigen::Vector3d mean = askew() * cells_[i].mean;
+        const std::uint64_t key = VoxelGrid(cells_[i].size_m).key(mean.x(), mean.y(), mean.z());
+        if (key == VoxelGrid::kNoKey) continue;
+        Level& level = levels_[levelOf(cells_[i])];
+        std::uint32_t slot = VoxelGrid::hash(key) & level.mask;
+        while (level.table[slot].key != VoxelGrid::kNoKey) slot = (slot + 1) & level.mask;
+        level.table[slot] = {key, i};
+    }
 }
 
-const SurfaceCell* SurfaceIndex::over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal,
-                                      double cosine) const {
+const SurfaceCell* SurfaceIndex::over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal, double cosine,
+                                      const SurfaceCell** any) const {
     constexpr double kReach = 0.75;
     const Eigen::Vector3d turned = askew() * x;
     double size = finest_m_;
-    for (const auto& level : levels_) {
+    const SurfaceCell* across = nullptr;
+    for (const Level& level : levels_) {
         const std::uint64_t middle = VoxelGrid(size).key(turned.x(), turned.y(), turned.z());
         const SurfaceCell* best = nullptr;
-        double nearest = 0;
+        const SurfaceCell* bestAny = nullptr;
+        double nearest = 0, nearestAny = 0;
+        const auto look = [&](const SurfaceCell& cell) {
+            const Eigen::Vector3d offset = x - cell.mean;
+            const double height = std::abs(offset.dot(cell.normal));
+            if (offset.squaredNorm() - height * height > square(kReach * size) || height > kReach * size)
+                return;
+            if (std::abs(cell.normal.dot(normal)) >= cosine) {
+                if (!best || height < nearest) {
+                    best = &cell;
+                    nearest = height;
+                }
+            } else if (!bestAny || height < nearestAny) {
+                bestAny = &cell;
+                nearestAny = height;
+            }
+        };
         for (int dz = -1; dz <= 1; ++dz)
             for (int dy = -1; dy <= 1; ++dy) {
                 // Neighbours along x have consecutive keys.
                 const std::uint64_t first = VoxelGrid::neighbour(middle, -1, dy, dz);
                 if (first == VoxelGrid::kNoKey) continue;
-                auto entry = std::lower_bound(level.begin(), level.end(), first,
-                                              [](const Entry& e, std::uint64_t key) { return e.key < key; });
-                for (; entry != level.end() && entry->key <= first + 2; ++entry) {
-                    const SurfaceCell& cell = cells_[entry->cell];
-                    const Eigen::Vector3d offset = x - cell.mean;
-                    const double height = std::abs(offset.dot(cell.normal));
-                    if (offset.squaredNorm() - height * height > square(kReach * size) ||
-                        height > kReach * size || std::abs(cell.normal.dot(normal)) < cosine)
-                        continue;
-                    if (!best || height < nearest) {
-                        best = &cell;
-                        nearest = height;
-                    }
-                }
+                for (std::uint64_t key = first; key <= first + 2; ++key)
+                    for (std::uint32_t slot = VoxelGrid::hash(key) & level.mask;
+                         level.table[slot].key != VoxelGrid::kNoKey; slot = (slot + 1) & level.mask)
+                        if (level.table[slot].key == key) look(cells_[level.table[slot].cell]);
             }
         if (best) return best;
+        if (!across) across = bestAny;
         size *= 2;
     }
+    if (any) *any = across;
     return nullptr;
 }
 

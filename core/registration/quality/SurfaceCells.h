@@ -41,17 +41,24 @@ class SurfaceIndex {
     const std::vector<SurfaceCell>& cells() const { return cells_; }
     /// The cell whose plane passes nearest to x, among those whose normal is within the angle of cosine
     /// `cosine` to `normal` and whose middle is within 0.75 of their size of x, along the plane and across
-    /// it; smaller cells before larger ones. Null where there is none.
-    const SurfaceCell* over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal, double cosine) const;
+    /// it; smaller cells before larger ones. Null where there is none. `any`, if given, becomes the one for a
+    /// cosine of 0 where there is none for `cosine`.
+    const SurfaceCell* over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal, double cosine,
+                            const SurfaceCell** any = nullptr) const;
 
   private:
-    struct Entry {
-        std::uint64_t key;
-        std::uint32_t cell;
+    /// The cells of one size by the voxel of their mean: open addressing.
+    struct Level {
+        struct Entry {
+            std::uint64_t key;
+            std::uint32_t cell;
+        };
+        std::vector<Entry> table;
+        std::uint32_t mask = 0;
     };
     std::vector<SurfaceCell> cells_;
     double finest_m_;
-    std::vector<std::vector<Entry>> levels_;
+    std::vector<Level> levels_;
 };
 
 }  // namespace vestige

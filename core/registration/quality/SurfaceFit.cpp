@@ -12,6 +12,8 @@ constexpr int kLevels = 5;
 constexpr double kCellsPerRadius = 100;
 constexpr double kClusterCells = 8;
 constexpr double kToleranceOfCell = 0.3;
+constexpr std::size_t kSome = 1500;
+constexpr std::size_t kFew = 500;
 
 /// Edge of the finest cells: a share of the source's radius, but wide enough to be flat under the target's
 /// noise, which is taken from the flattest quarter of its largest cells.
@@ -19,6 +21,12 @@ double finestCell(const std::vector<Eigen::Vector3f>& target, double radius_m) {
     constexpr double kNoises = 6;
     const double finest = radius_m / kCellsPerRadius;
     return std::max(finest, kNoises * flattestQuarter(target, finest * (1 << (kLevels - 1))));
+}
+
+std::vector<SurfaceCell> thinned(const std::vector<SurfaceCell>& cells, std::size_t most) {
+    std::vector<SurfaceCell> some;
+    for (std::size_t i = 0; i < cells.size(); i += cells.size() / most + 1) some.push_back(cells[i]);
+    return some;
 }
 
 double medianThickness(const std::vector<SurfaceCell>& cells) {
@@ -46,16 +54,20 @@ SurfaceShares sharesOf(const std::vector<SurfaceMatch>& matches, const std::vect
     Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
     double area = 0, squares = 0;
     for (const SurfaceMatch& match : matches) {
+        if (match.state == SurfaceState::vague) continue;
         pivot += cells[match.cell].area_m2 * match.place;
         area += cells[match.cell].area_m2;
     }
     if (!(area > 0)) return shares;
     pivot /= area;
     for (const SurfaceMatch& match : matches)
-        squares += cells[match.cell].area_m2 * (match.place - pivot).squaredNorm();
+        if (match.state != SurfaceState::vague)
+            squares += cells[match.cell].area_m2 * (match.place - pivot).squaredNorm();
     const double radius = std::sqrt(squares / area);
+    if (!(radius > 0)) return shares;
     Matrix6d agreeing = Matrix6d::Zero(), seen = Matrix6d::Zero(), all = Matrix6d::Zero();
     for (const SurfaceMatch& match : matches) {
+        if (match.state == SurfaceState::vague) continue;
         const double weight = cells[match.cell].area_m2;
         const Eigen::Vector3d lever = match.place - pivot;
         Vector6d row;
@@ -81,7 +93,9 @@ SurfaceFit::SurfaceFit(const std::vector<Eigen::Vector3f>& target, const std::ve
       target_(surfaceCells(target, finest_m_, kLevels), finest_m_, kLevels),
       source_(surfaceCells(source, finest_m_, kLevels), finest_m_, kLevels),
       tolerance_m_(std::max(kToleranceOfCell * finest_m_, medianThickness(target_.cells()))),
-      cluster_m_(kClusterCells * finest_m_) {}
+      cluster_m_(kClusterCells * finest_m_),
+      some_(thinned(source_.cells(), kSome)),
+      few_(thinned(source_.cells(), kFew)) {}
 
 std::vector<SurfaceMatch> SurfaceFit::matches(const Pose& pose) const {
     return matchSurfaces(source_.cells(), pose, target_, tolerance_m_);
@@ -93,6 +107,15 @@ SurfaceShares SurfaceFit::sourceShares(const Pose& pose) const {
 
 SurfaceShares SurfaceFit::targetShares(const Pose& pose) const {
     return sharesOf(matchSurfaces(target_.cells(), pose.inverse(), source_, tolerance_m_), target_.cells());
+}
+
+double SurfaceFit::quickAgreement(const Pose& pose) const {
+    double area = 0, agrees = 0;
+    for (const SurfaceMatch& match : matchSurfaces(few_, pose, target_, tolerance_m_)) {
+        area += few_[match.cell].area_m2;
+        if (match.state == SurfaceState::agrees) agrees += few_[match.cell].area_m2;
+    }
+    return area > 0 ? agrees / area : 0;
 }
 
 Eigen::Vector3d SurfaceFit::middle(const Pose& pose) const {
@@ -113,16 +136,25 @@ PoseInformation SurfaceFit::information(const Pose& pose) const {
     return poseInformation(matches(pose), source_.cells(), cluster_m_);
 }
 
-Pose SurfaceFit::refined(const Pose& pose) const {
-    constexpr int kSteps = 3;
-    Pose best = pose;
-    for (int i = 0; i < kSteps; ++i) {
-        const PoseInformation info = information(best);
-        if (!(info.weight > 0)) return pose;
+Pose SurfaceFit::steppedTo(Pose pose, const std::vector<SurfaceCell>& cells, double tolerance_m,
+                           int steps) const {
+    for (int i = 0; i < steps; ++i) {
+        const PoseInformation info =
+            poseInformation(matchSurfaces(cells, pose, target_, tolerance_m), cells, cluster_m_);
+        if (!(info.weight > 0)) break;
         const Vector6d step = -info.held().ldlt().solve(info.gradient);
-        best = stepped(best, step, info.pivot_m, info.radius_m);
+        pose = stepped(pose, step, info.pivot_m, info.radius_m);
     }
-    return best;
+    return pose;
+}
+
+Pose SurfaceFit::refined(const Pose& pose) const {
+    return steppedTo(pose, source_.cells(), tolerance_m_, 3);
+}
+
+Pose SurfaceFit::drawnIn(const Pose& pose) const {
+    constexpr double kWide = 4;
+    return steppedTo(steppedTo(pose, some_, kWide * tolerance_m_, 3), some_, tolerance_m_, 2);
 }
 
 Vector6d stepBetween(const Pose& a, const Pose& b, const Eigen::Vector3d& pivot, double radius_m) {

@@ -33,19 +33,29 @@ class SurfaceFit {
     PoseInformation information(const Pose& pose) const;
     /// The pose that point-to-plane least squares finds next to this one, where the data hold it.
     Pose refined(const Pose& pose) const;
+    /// The same quickly and from further away: some of the cells, which agree up to some times the tolerance
+    /// first.
+    Pose drawnIn(const Pose& pose) const;
+    /// Share of the source's surface that agrees, by fewer cells still.
+    double quickAgreement(const Pose& pose) const;
 
     double finest_m() const { return finest_m_; }  ///< edge of the smallest cells
     double tolerance_m() const { return tolerance_m_; }
     const SurfaceIndex& target() const { return target_; }
+    const SurfaceIndex& source() const { return source_; }
     /// The middle of all surface of both clouds, in the target's frame.
     Eigen::Vector3d middle(const Pose& pose) const;
 
   private:
+    Pose steppedTo(Pose pose, const std::vector<SurfaceCell>& cells, double tolerance_m, int steps) const;
+
     double finest_m_;
     SurfaceIndex target_;
     SurfaceIndex source_;
     double tolerance_m_;
     double cluster_m_;
+    std::vector<SurfaceCell> some_;  // of the source's, evenly taken
+    std::vector<SurfaceCell> few_;
 };
 
 /// x of (t, r w) about `pivot` that takes pose a to pose b, and back.

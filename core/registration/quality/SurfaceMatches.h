@@ -12,6 +12,7 @@ namespace vestige {
 enum class SurfaceState {
     agrees,     ///< on a plane of the other, within the tolerance, and parallel to it
     conflicts,  ///< the other has surface here, but elsewhere or across
+    vague,      ///< one of the two pieces here is thicker than the tolerance, and they are not that near
     unseen      ///< the other has nothing here
 };
 

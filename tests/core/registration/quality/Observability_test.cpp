@@ -61,6 +61,36 @@ TEST(Observability, ACornerHoldsEverything) {
         EXPECT_LE(directions[i - 1].information, directions[i].information);
 }
 
+TEST(Observability, ADirectionIsFreeByTheCovarianceWhereTheHessianHoldsItBetterThanAnother) {
+    PoseInformation information;
+    information.hessian = Eigen::DiagonalMatrix<double, 6>(1e4, 2e4, 3e4, 4e4, 5e4, 6e4);
+    Matrix6d covariance = Matrix6d::Identity() * 0.01 * 0.01;
+    covariance(0, 0) = 0.05 * 0.05;
+    covariance(1, 1) = 0.5 * 0.5;
+    const auto directions = observedDirections(information, covariance, 0.1);
+    ASSERT_EQ(freeOf(directions), 1);
+    EXPECT_TRUE(directions[0].free);
+    EXPECT_NEAR(std::abs(directions[0].direction[1]), 1, 1e-9);
+    EXPECT_NEAR(directions[1].sigma_m, 0.05, 1e-9);
+}
+
+TEST(Observability, OnePieceOfSurfaceIsNoEvidence) {
+    SurfaceCell cell;
+    cell.normal = Eigen::Vector3d::UnitZ();
+    cell.wide = Eigen::Vector3d::UnitX();
+    cell.mean.setZero();
+    cell.area_m2 = cell.wide_m = cell.narrow_m = cell.size_m = 1;
+    cell.count = 100;
+    SurfaceMatch match;
+    match.other = &cell;
+    match.normal = cell.normal;
+    match.state = SurfaceState::agrees;
+    const std::vector<SurfaceMatch> matches{match};
+    const PoseInformation information = poseInformation(matches, {cell}, 1);
+    EXPECT_EQ(information.weight, 0);
+    EXPECT_TRUE(information.covariance().allFinite());
+}
+
 TEST(Observability, WordsForMotions) {
     Vector6d motion = Vector6d::Zero();
     motion[2] = -1;

@@ -53,8 +53,10 @@ TEST(Verdict, TheEllipsoidHoldsTheTruthAndRightOnesAreAccepted) {
 }
 
 TEST(Verdict, WrongOnesAreNotAccepted) {
+    int judged = 0;
     for (std::uint64_t seed = 1; seed <= 9; ++seed) {
         TripodPairOptions options = street(seed);
+        if (seed % 3 == 2) options.scene.kind = TripodSceneKind::hall;
         if (seed % 3 == 0) options.sourceScene = TripodSceneOptions{TripodSceneKind::street, seed + 500};
         const TripodPair pair = simulateTripodPair(options);
         Pose move = Pose::Identity();
@@ -63,13 +65,28 @@ TEST(Verdict, WrongOnesAreNotAccepted) {
             move.linear() = Eigen::AngleAxisd(radians(180), Eigen::Vector3d::UnitZ()).toRotationMatrix();
         const Pose start = pair.siteFromTarget.inverse() * move * pair.siteFromSource;
         const auto result = registered(pair, start, 2);
-        if (!result) continue;
+        if (!result) continue;  // no pose at all is no wrong one
+        ++judged;
         const bool found =
             pair.overlaps &&
             (result->targetFromSource.pose.translation() - pair.targetFromSource().translation()).norm() <
                 0.1;
         EXPECT_TRUE(found || result->verdict != Verdict::accepted) << "seed " << seed;
     }
+    EXPECT_GE(judged, 7);
+}
+
+TEST(Verdict, AHallFromBehindDoesNotCastDoubtOnTheRightPose) {
+    int accepted = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        TripodPairOptions options = street(seed);
+        options.scene.kind = TripodSceneKind::hall;
+        const TripodPair pair = simulateTripodPair(options);
+        const auto result = registered(pair, wrongPose(pair.targetFromSource(), 0.3, 3, seed), 1);
+        ASSERT_TRUE(result) << result.error().sentence();
+        accepted += result->verdict == Verdict::accepted;
+    }
+    EXPECT_GE(accepted, 3);
 }
 
 TEST(Verdict, ABareRoadIsNotAcceptedAndSaysWhichWayItSlides) {
