@@ -126,9 +126,10 @@ void assess(RegistrationResult& result, const PointCloud& target, const PointClo
     evidence.apart_m = std::max(kApartOfRadius * information.radius_m, 2 * uncertain_m);
     bool tried = false;
     for (RivalPose rival : rivalPoses(fit, found, evidence.apart_m)) {
+        if (rival.score < kWorthATry * evidence.score) continue;
         double through = space.through(rival.pose);
         // One that free space prefers is worth a registration of its own; the cells alone may not get there.
-        if (!tried && rival.score > kWorthATry * evidence.score && clearer(through, evidence.through)) {
+        if (!tried && clearer(through, evidence.through)) {
             tried = true;
             if (const Result<Pose> pose = again(frame.toWorld(rival.pose, centred))) {
                 const Pose local = frame.toLocal(*pose, centred);

@@ -9,12 +9,12 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kMostRays = 200000;
-constexpr double kRaysPerPixel = 4;
+constexpr double kRaysPerPixel = 1.5;
 constexpr int kLargestSide = 256;
 constexpr double kReach = 1.5;   // standard deviations of a cell: nearly all of a filled rectangle
 constexpr double kAskew = 0.15;  // cosine to the ray: a ray that grazes a surface says little of it
 constexpr double kWidest = 0.5;  // of the distance: a larger piece is too near to the viewpoint
-constexpr std::size_t kMostInWindow = 600;  // rays looked at for one piece
+constexpr std::size_t kMostInWindow = 400;  // rays looked at for one piece
 constexpr double kShortest = 0.02;          // m; some files hold directions without a return as zeros
 
 struct FacePlace {

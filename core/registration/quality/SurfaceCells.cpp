@@ -108,17 +108,22 @@ SurfaceIndex::SurfaceIndex(std::vector<SurfaceCell> cells, double finest_m, int 
     std::vector<std::size_t> counts(levels_.size(), 0);
     for (const SurfaceCell& cell : cells_) ++counts[levelOf(cell)];
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-        levels_[i].table.assign(std::bit_ceil(4 * counts[i] + 1), {VoxelGrid::kNoKey, 0});
+        levels_[i].table.assign(std::bit_ceil(2 * 27 * counts[i] + 1), {VoxelGrid::kNoKey, 0});
         levels_[i].mask = static_cast<std::uint32_t>(levels_[i].table.size() - 1);
     }
     for (std::uint32_t i = 0; i < cells_.size(); ++i) {
         const Eigen::Vector3d mean = askew() * cells_[i].mean;
-        const std::uint64_t key = VoxelGrid(cells_[i].size_m).key(mean.x(), mean.y(), mean.z());
-        if (key == VoxelGrid::kNoKey) continue;
+        const std::uint64_t middle = VoxelGrid(cells_[i].size_m).key(mean.x(), mean.y(), mean.z());
         Level& level = levels_[levelOf(cells_[i])];
-        std::uint32_t slot = VoxelGrid::hash(key) & level.mask;
-        while (level.table[slot].key != VoxelGrid::kNoKey) slot = (slot + 1) & level.mask;
-        level.table[slot] = {key, i};
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) {
+                    const std::uint64_t key = VoxelGrid::neighbour(middle, dx, dy, dz);
+                    if (key == VoxelGrid::kNoKey) continue;
+                    std::uint32_t slot = VoxelGrid::hash(key) & level.mask;
+                    while (level.table[slot].key != VoxelGrid::kNoKey) slot = (slot + 1) & level.mask;
+                    level.table[slot] = {key, i};
+                }
     }
 }
 
@@ -129,7 +134,7 @@ const SurfaceCell* SurfaceIndex::over(const Eigen::Vector3d& x, const Eigen::Vec
     double size = finest_m_;
     const SurfaceCell* across = nullptr;
     for (const Level& level : levels_) {
-        const std::uint64_t middle = VoxelGrid(size).key(turned.x(), turned.y(), turned.z());
+        const std::uint64_t key = VoxelGrid(size).key(turned.x(), turned.y(), turned.z());
         const SurfaceCell* best = nullptr;
         const SurfaceCell* bestAny = nullptr;
         double nearest = 0, nearestAny = 0;
@@ -148,16 +153,10 @@ const SurfaceCell* SurfaceIndex::over(const Eigen::Vector3d& x, const Eigen::Vec
                 nearestAny = height;
             }
         };
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy) {
-                // Neighbours along x have consecutive keys.
-                const std::uint64_t first = VoxelGrid::neighbour(middle, -1, dy, dz);
-                if (first == VoxelGrid::kNoKey) continue;
-                for (std::uint64_t key = first; key <= first + 2; ++key)
-                    for (std::uint32_t slot = VoxelGrid::hash(key) & level.mask;
-                         level.table[slot].key != VoxelGrid::kNoKey; slot = (slot + 1) & level.mask)
-                        if (level.table[slot].key == key) look(cells_[level.table[slot].cell]);
-            }
+        if (key != VoxelGrid::kNoKey)
+            for (std::uint32_t slot = VoxelGrid::hash(key) & level.mask;
+                 level.table[slot].key != VoxelGrid::kNoKey; slot = (slot + 1) & level.mask)
+                if (level.table[slot].key == key) look(cells_[level.table[slot].cell]);
         if (best) return best;
         if (!across) across = bestAny;
         size *= 2;

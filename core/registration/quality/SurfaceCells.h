@@ -47,7 +47,7 @@ class SurfaceIndex {
                             const SurfaceCell** any = nullptr) const;
 
   private:
-    /// The cells of one size by the voxel of their mean: open addressing.
+    /// The cells of one size by the voxel of their mean and by those round it: open addressing.
     struct Level {
         struct Entry {
             std::uint64_t key;
