@@ -19,6 +19,7 @@ struct Options {
     std::string size = "1400x900";
     std::string overlay = "none";
     std::string color = "auto";
+    std::string theme = "dark";
     double pointSize_px = 2;
     bool window = false;
     std::vector<std::string> actions;
@@ -65,6 +66,7 @@ int runScreenshot(Session& session, const Options& options) {
     const auto [width, height] = *sizeFromText(options.size);
     view->camera = frameView(*view, *namedViewFromName(options.view), width, height);
     view->pointSize_px = options.pointSize_px;
+    view->theme = *themeFromName(options.theme);
 
     const OffscreenApplication application;
     const Status drawn = offscreenRenderer()->renderPng(*view, options.out, control.sub(0.9, 1));
@@ -111,6 +113,8 @@ Run declareScreenshot(CLI::App& command) {
                     "Colours without an overlay. Default: auto, that is rgb where a layer has colours, else "
                     "height.")
         ->check(CLI::IsMember({"auto", "height", "intensity", "rgb", "source"}));
+    command.add_option("--theme", options->theme, "light: for paper and projectors. Default: dark.")
+        ->check(CLI::IsMember({"dark", "light"}));
     command.add_option("--point-size", options->pointSize_px, "Pixels. Default: 2.")
         ->check(CLI::Range(1.0, 16.0));
     CLI::Option* window =

@@ -9,17 +9,19 @@ Similarity placeOf(const Layer& layer, bool before) {
     return before && layer.registration ? layer.registration->initial : sceneFromLayer(layer);
 }
 
-std::shared_ptr<const std::vector<float>> residuals(const SceneState& scene, const Layer& layer,
-                                                    bool before) {
+std::shared_ptr<const std::vector<float>> residuals(const SceneState& scene, const Layer& layer, bool before,
+                                                    const JobControl& control) {
     const Layer* target = scene.layer(scene.target);
     if (!target || !target->data || !layer.registration) return nullptr;
-    return std::make_shared<const std::vector<float>>(targetDistances(
-        *target->data->octree, sceneFromLayer(*target), *layer.data->points, placeOf(layer, before)));
+    return std::make_shared<const std::vector<float>>(
+        targetDistances(*target->data->octree, sceneFromLayer(*target), *layer.data->points,
+                        placeOf(layer, before), control));
 }
 
 }  // namespace
 
-ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay, bool before) {
+ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay, bool before,
+                             const JobControl& control) {
     ViewDescription view;
     view.colorMode = colorMode;
     view.overlay = overlay;
@@ -33,7 +35,7 @@ ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overl
         shown.worldFromLayer = placeOf(layer, before);
         shown.tint = layer.tint;
         shown.isTarget = layer.id == scene.target;
-        if (overlay == Overlay::residual) shown.residual_m = residuals(scene, layer, before);
+        if (overlay == Overlay::residual) shown.residual_m = residuals(scene, layer, before, control);
         view.layers.push_back(std::move(shown));
     }
     return view;

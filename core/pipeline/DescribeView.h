@@ -7,9 +7,10 @@
 namespace vestige {
 
 /// The scene's visible, loaded layers as a picture shows them. With `before` the registered layers stand at
-/// their first pose. Residuals are computed when `overlay` asks for them. The camera is that of the caller.
+/// their first pose. Residuals are computed when `overlay` asks for them, which takes seconds on large clouds
+/// and can be cancelled. The camera is that of the caller.
 ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay,
-                             bool before = false);
+                             bool before = false, const JobControl& control = {});
 
 /// Marks for the measured lengths (mean ends of the repeats), for `describeView(...).marks`.
 std::vector<ViewMark> measurementMarks(const SceneState& scene, const MeasuredScene& measured);

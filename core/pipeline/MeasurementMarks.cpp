@@ -1,8 +1,7 @@
 #include "core/pipeline/MeasurementMarks.h"
 
-#include "core/base/Numbers.h"
+#include "core/measurement/MeasuredText.h"
 #include "core/pipeline/DescribeView.h"
-#include "core/report/Wording.h"
 #include "core/scene/PickFrame.h"
 
 namespace vestige {
@@ -17,19 +16,14 @@ std::string methodOf(const SceneState& scene, const std::string& key, const Pick
     return layer ? layer->method : std::string();
 }
 
-std::string label(const LengthStatistic& length) {
-    const auto& u = length.expandedUncertainty_m;
-    std::string text = metres(length.mean_m, u) + " m";
-    if (u) text += " \u00b1 " + fixedText(*u, decimalsFor(u));
-    return text;
-}
-
 }  // namespace
 
 std::optional<ViewMark> measurementMark(const SceneState& scene, const MeasuredLength& length) {
     const Measurement* measurement = scene.measurement(length.object);
     if (!measurement || !length.length) return std::nullopt;
-    ViewMark mark{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), label(*length.length), false};
+    ViewMark mark{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                  measuredSentence(length.length->mean_m, length.length->expandedUncertainty_m), false,
+                  length.object};
     double count = 0;
     for (const auto& [key, pairs] : measurement->picks) {
         for (const PickedPair& pair : pairs) {

@@ -2,14 +2,21 @@
 
 #include <vector>
 
+#include "core/base/JobControl.h"
 #include "core/geometry/Octree.h"
 
 namespace vestige {
 
-/// For every point of `source` its distance in metres to the target there: to the plane through the target's
-/// 8 nearest points where these make one (smallest spread below a tenth of the middle one) and lie around the
-/// foot, else to the nearest point. Bit-identical for any thread count.
+/// For every point of `source` its signed distance in metres to the target's surface there: to the plane
+/// through the target's nearest points, where these make one (smallest spread below a tenth of the middle
+/// one) and lie around the foot; NaN elsewhere: there is no surface of the target to compare with. How many
+/// points make a plane, 8 to 256, is chosen once, from how many the target's noise asks for. Neighbouring
+/// source points, within half the target's spacing, share one plane.
+///
+/// Positive is above the target's surface or, where that is upright, outside: further than it from the
+/// vertical through the source's middle. Empty when cancelled. Bit-identical for any thread count.
 std::vector<float> targetDistances(const Octree& target, const Similarity& worldFromTarget,
-                                   const PointCloud& source, const Similarity& worldFromSource);
+                                   const PointCloud& source, const Similarity& worldFromSource,
+                                   const JobControl& control = {});
 
 }  // namespace vestige

@@ -42,6 +42,16 @@ std::optional<Overlay> overlayFromName(std::string_view text) {
     return std::nullopt;
 }
 
+std::string_view name(Theme theme) {
+    return theme == Theme::light ? "light" : "dark";
+}
+
+std::optional<Theme> themeFromName(std::string_view text) {
+    for (const auto theme : {Theme::dark, Theme::light})
+        if (name(theme) == text) return theme;
+    return std::nullopt;
+}
+
 BoundingBox bounds(const ViewDescription& view) {
     BoundingBox box;
     for (const ViewLayer& layer : view.layers)

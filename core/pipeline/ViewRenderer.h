@@ -26,6 +26,11 @@ enum class Overlay { none, registration, residual, source };
 std::string_view name(Overlay overlay);
 std::optional<Overlay> overlayFromName(std::string_view name);
 
+/// What a picture stands on: dark for the screen in a dim room, light for paper and projectors.
+enum class Theme { dark, light };
+std::string_view name(Theme theme);
+std::optional<Theme> themeFromName(std::string_view name);
+
 /// How two pictures of one scene are laid into each other.
 enum class CompareMode { swipe, blink, checkerboard };
 
@@ -52,7 +57,7 @@ struct ViewLayer {
     std::shared_ptr<const TriangleMesh> geometry;
     Similarity worldFromLayer;
     std::array<std::uint8_t, 3> tint{160, 180, 200};
-    std::shared_ptr<const std::vector<float>> residual_m;  ///< per point, for Overlay::residual; may be null
+    std::shared_ptr<const std::vector<float>> residual_m;  ///< signed, per point, NaN for none; may be null
     bool visible = true;
     bool isTarget = false;  ///< what the others are registered to; for Overlay::registration
     std::optional<ViewSide> other = std::nullopt;  ///< in the other picture; nothing: the same
@@ -62,8 +67,9 @@ struct ViewLayer {
 struct ViewMark {
     Eigen::Vector3d a;
     Eigen::Vector3d b;
-    std::string label;  ///< "4.786 m ± 0.014"
+    std::string label;  ///< "4.786 m ± 0.014 m"
     bool highlighted = false;
+    std::string name = {};  ///< of what is measured; told where the label stands aside
 };
 
 /// A way that a layer can move, drawn as a line with a head at each end: straight for a slide, an arc for a
@@ -81,6 +87,7 @@ struct ViewDescription {
     std::optional<ViewComparison> comparison;
     ColorMode colorMode = ColorMode::height;
     Overlay overlay = Overlay::none;
+    Theme theme = Theme::dark;
     double pointSize_px = 2;
     bool eyeDomeLighting = true;
     bool showLegend = true;

@@ -1,4 +1,5 @@
 #include "core/base/Numbers.h"
+#include "core/measurement/MeasuredText.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
 
@@ -10,17 +11,15 @@ std::vector<std::string> row(const MeasuredLength& length) {
     if (!length.length) return {length.object, length.method, tape, "not measurable", "", "", "", ""};
     const LengthStatistic& statistic = *length.length;
     const auto& u = statistic.expandedUncertainty_m;
-    const int decimals = decimalsFor(u);
-    const auto shown = [&](const std::optional<double>& value) {
-        return orDash(value ? std::optional(fixedText(*value, decimals)) : std::nullopt);
-    };
+    const MeasuredText mean = measuredText(statistic.mean_m, u);
+    const auto& sd = statistic.repeatSd_m;
     return {length.object,
             length.method,
             tape,
-            fixedText(statistic.mean_m, decimals),
+            mean.value,
             std::to_string(statistic.repeats_m.size()),
-            shown(statistic.repeatSd_m),
-            u ? "\u00b1" + fixedText(*u, decimals) : "\u2013",
+            orDash(sd ? std::optional(fixedText(*sd, measuredDecimals(u))) : std::nullopt),
+            mean.uncertainty.empty() ? "\u2013" : "\u00b1" + mean.uncertainty,
             length.re ? signedPercent(*length.re) + (length.excluded ? " *" : "") : "\u2013"};
 }
 

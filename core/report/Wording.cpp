@@ -29,15 +29,6 @@ std::string percent(double fraction, int decimals) {
     return fixedText(100 * fraction, decimals) + kNoBreakSpace + "%";
 }
 
-int decimalsFor(std::optional<double> uncertainty_m) {
-    if (!uncertainty_m || !(*uncertainty_m > 0) || !std::isfinite(*uncertainty_m)) return 3;
-    return std::clamp(1 - static_cast<int>(std::floor(std::log10(*uncertainty_m))), 2, 5);
-}
-
-std::string metres(double value_m, std::optional<double> uncertainty_m) {
-    return fixedText(value_m, decimalsFor(uncertainty_m));
-}
-
 std::string grouped(std::uint64_t count) {
     const std::string digits = std::to_string(count);
     std::string text;

@@ -12,11 +12,6 @@ namespace vestige {
 /// A fraction in percent, signed with a real minus: 0.0427 -> "+4.27 %" (without the unit: "+4.27").
 std::string signedPercent(double fraction, int decimals = 2);
 std::string percent(double fraction, int decimals = 1);
-/// Metres with as many digits as an expanded uncertainty of that size deserves (two figures of it), three
-/// without one.
-std::string metres(double value_m, std::optional<double> uncertainty_m = std::nullopt);
-/// Decimals that show two figures of the uncertainty: 0.0141 -> 3, 0.00034 -> 5; within 2 ... 5.
-int decimalsFor(std::optional<double> uncertainty_m);
 /// 10342112 -> "10 342 112", held together by no-break spaces.
 std::string grouped(std::uint64_t count);
 /// "a, b and c"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/Numbers.h"
+#include "core/measurement/MeasuredText.h"
 
 namespace vestige {
 namespace {
@@ -49,8 +50,7 @@ QString lengthText(std::optional<double> metres) {
 QString uncertaintyText(std::optional<double> metres) {
     if (!metres || !std::isfinite(*metres)) return kNothing;
     if (*metres <= 0) return "0";
-    const int decimals = static_cast<int>(std::clamp(1 - std::floor(std::log10(*metres)), 0.0, 5.0));
-    return number(*metres, decimals);
+    return toQt(measuredText(0, metres).uncertainty);
 }
 
 QString percentText(std::optional<double> fraction) {

@@ -20,7 +20,7 @@ std::filesystem::path toPath(const QString& path);
 
 /// "4.786": metres with three decimals, four below 0.1 m; an en dash for nothing.
 QString lengthText(std::optional<double> metres);
-/// "0.014": an uncertainty with two significant digits, metres.
+/// "0.014": an uncertainty in metres, with the digits of core/measurement/MeasuredText.h.
 QString uncertaintyText(std::optional<double> metres);
 /// "+0.04": a relative error as percent, with its sign, two decimals (one from 10 % on).
 QString percentText(std::optional<double> fraction);

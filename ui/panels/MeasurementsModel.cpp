@@ -4,6 +4,7 @@
 #include <QFont>
 
 #include "core/base/Numbers.h"
+#include "core/measurement/MeasuredText.h"
 #include "core/scene/Edits.h"
 #include "ui/document/Document.h"
 #include "ui/document/Selection.h"
@@ -72,7 +73,8 @@ QVariant MeasurementsModel::textAt(int row, Column column) const {
         case tape:
             return measurement.tape_m ? lengthText(measurement.tape_m) : tr("no tape");
         case measured:
-            return lengthText(length ? std::optional(length->mean_m) : std::nullopt);
+            return length ? toQt(measuredText(length->mean_m, length->expandedUncertainty_m).value)
+                          : lengthText(std::nullopt);
         case uncertainty:
             return uncertaintyText(length ? length->expandedUncertainty_m : std::nullopt);
         case relativeError:
@@ -89,7 +91,8 @@ QString MeasurementsModel::tipAt(int row) const {
     if (!found) return lines.join("\n");
     if (found->length) {
         QStringList repeats;
-        for (const double repeat : found->length->repeats_m) repeats << lengthText(repeat);
+        for (const double repeat : found->length->repeats_m)
+            repeats << toQt(measuredText(repeat, found->length->expandedUncertainty_m).value);
         lines << tr("Repeats %1 m").arg(repeats.join(", "));
         lines << tr("Repeat SD %1 m").arg(uncertaintyText(found->length->repeatSd_m));
     }

@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "core/measurement/MeasuredText.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
@@ -33,7 +34,8 @@ QString repeatsText(const MeasuredScene& measured, const std::string& object, co
         if (length.object != object || length.method != method) continue;
         if (!length.length) return QString::fromStdString(length.note);
         QStringList repeats;
-        for (const double repeat : length.length->repeats_m) repeats << lengthText(repeat);
+        for (const double repeat : length.length->repeats_m)
+            repeats << toQt(measuredText(repeat, length.length->expandedUncertainty_m).value);
         for (auto i = length.length->repeats_m.size(); i < 3; ++i) repeats << QString::fromUtf8("–");
         QString text = QObject::tr("Repeats  %1 m").arg(repeats.join(QString::fromUtf8("  ·  ")));
         if (length.length->repeatSd_m)

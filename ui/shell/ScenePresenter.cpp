@@ -112,13 +112,25 @@ void ScenePresenter::computeResiduals() {
         tr("Distances to the target"),
         [scene = models_.document.state(), mode = models_.presentation.colorMode(),
          before = models_.presentation.before()](const JobControl& control) -> Result<ViewDescription> {
-            auto described = describeView(scene, mode, Overlay::residual, before);
+            auto described = describeView(scene, mode, Overlay::residual, before, control);
             if (control.cancelled()) return fail(cancelledError());
             return described;
         },
         [this, asked = refreshes_](Result<ViewDescription> described) {
             if (described && asked == refreshes_) show(std::move(*described));
         });
+}
+
+/// Whether the target is compared with it: what was registered to the target or is shown at a pose that was
+/// found; any other layer, too, while there is none of these.
+bool ScenePresenter::isSource(const Layer& layer) const {
+    const SceneState& scene = models_.document.state();
+    if (layer.id == scene.target) return false;
+    const auto laidOn = [&](const Layer& one) {
+        return one.id != scene.target && one.visible && one.data &&
+               (one.registration || (models_.preview.active() && models_.preview.layer() == one.id));
+    };
+    return laidOn(layer) || std::none_of(scene.layers.begin(), scene.layers.end(), laidOn);
 }
 
 /// Where a layer lies and what of it is seen, in both pictures of a comparison.
@@ -129,7 +141,7 @@ void ScenePresenter::place(ViewLayer& shown) const {
     if (!models_.comparison.active() || !layer) return;
     if (models_.comparison.what() == Comparison::What::sourceTarget) {
         shown.other = ViewSide{shown.worldFromLayer, shown.isTarget};
-        shown.visible = !shown.isTarget;
+        shown.visible = isSource(*layer);
         return;
     }
     const RegistrationResult* refused = models_.attempts.of(shown.id);

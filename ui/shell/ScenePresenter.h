@@ -13,6 +13,7 @@ class JobRunner;
 class Presentation;
 class Preview;
 class SceneView;
+struct Layer;
 class Selection;
 
 /// Keeps the view showing the document as presentation, preview and comparison ask.
@@ -40,6 +41,7 @@ class ScenePresenter : public QObject {
     void refreshMarks();
     void computeResiduals();
     void show(ViewDescription described);
+    bool isSource(const Layer& layer) const;
     void place(ViewLayer& shown) const;
     void annotate(ViewDescription& described) const;
     Overlay overlayNow() const;

@@ -41,10 +41,10 @@ Rgb between(const Oklch& from, const Oklch& to, double share) {
                       std::lerp(from.hue_deg, to.hue_deg, t)});
 }
 
-/// 1, 2 or 5 times a power of ten, at least `value`.
+/// A number with at most two digits, at least `value`.
 double roundedUp(double value) {
     const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 5.0})
+    for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
         if (step * power >= value * (1 - 1e-9)) return step * power;
     return 10 * power;
 }
@@ -58,48 +58,82 @@ std::optional<ColorScale> heightScale(const ViewDescription& view) {
                        [&](std::size_t i) { return (layer.worldFromLayer * cloud.point(i)).z(); });
     }
     if (heights.empty()) return std::nullopt;
-    ColorScale scale{"Height", "m", heights.quantile(0.01), heights.quantile(0.99)};
+    ColorScale scale{"Height", "m", heights.quantile(0.01), heights.quantile(0.99), 1, {}, view.theme};
     if (scale.high - scale.low < 1e-6) scale.high = scale.low + 1;
     return scale;
 }
 
 std::optional<ColorScale> residualScale(const ViewDescription& view) {
-    SampledRange residuals;
+    SampledRange distances;
     for (const ViewLayer& layer : view.layers)
         if (layer.visible && layer.residual_m)
-            residuals.sample(layer.residual_m->size(),
-                             [&](std::size_t i) { return std::abs((*layer.residual_m)[i]); });
-    if (residuals.empty()) return std::nullopt;
-    ColorScale scale{"Distance to target", "mm", 0, 1, 1000, true};
-    scale.high = roundedUp(std::max(1e-4, residuals.quantile(0.9)));
-    return scale;
+            distances.sample(layer.residual_m->size(), [&](std::size_t i) { return (*layer.residual_m)[i]; });
+    if (distances.empty()) return std::nullopt;
+    const double median = distances.quantile(0.5);
+    SampledRange deviations;
+    for (const ViewLayer& layer : view.layers)
+        if (layer.visible && layer.residual_m)
+            deviations.sample(layer.residual_m->size(),
+                              [&](std::size_t i) { return std::abs((*layer.residual_m)[i] - median); });
+    const double noise = 1.4826 * deviations.quantile(0.5);
+    const double reach = roundedUp(std::max(1e-4, 3 * noise));
+    const bool metres = reach >= 1;
+    return ColorScale{"Distance to the target's surface",
+                      metres ? "m" : "mm",
+                      -reach,
+                      reach,
+                      metres ? 1.0 : 1000.0,
+                      noise,
+                      view.theme};
 }
 
-constexpr Rgb kTargetTint{142, 170, 200};
-constexpr std::array<Rgb, 4> kSourceTints{
-    {{244, 154, 52}, {232, 104, 124}, {190, 140, 240}, {120, 205, 130}}};
+constexpr Rgb kTargetTints[] = {{142, 170, 200}, {86, 108, 134}};
+constexpr std::array<Rgb, 4> kSourceTints[] = {
+    {{{244, 154, 52}, {232, 104, 124}, {190, 140, 240}, {120, 205, 130}}},
+    {{{214, 106, 0}, {190, 40, 92}, {124, 66, 190}, {20, 122, 70}}}};
+/// A brighter tint would be lost on white.
+constexpr double kBrightestOnLight = 132;
+
+std::size_t place(Theme theme) {
+    return theme == Theme::light ? 1 : 0;
+}
+
+Rgb ownTint(const Rgb& tint, Theme theme) {
+    const double brightness = 0.2126 * tint[0] + 0.7152 * tint[1] + 0.0722 * tint[2];
+    if (theme == Theme::dark || brightness <= kBrightestOnLight) return tint;
+    Rgb darker = tint;
+    for (std::uint8_t& part : darker)
+        part = static_cast<std::uint8_t>(std::lround(part * kBrightestOnLight / brightness));
+    return darker;
+}
 
 }  // namespace
 
 Rgb ColorScale::at(double value) const {
-    const double share = (value - low) / (high - low);
-    return warm ? errorColor(share) : heightColor(share);
+    if (noise) return differenceColor(value / high, theme);
+    return heightColor((value - low) / (high - low), theme);
 }
 
-Rgb heightColor(double share) {
+Rgb heightColor(double share, Theme theme) {
+    if (theme == Theme::light) return between({0.34, 0.13, 285}, {0.74, 0.155, 100}, share);
     return between({0.47, 0.115, 272}, {0.93, 0.125, 100}, share);
 }
 
-Rgb errorColor(double share) {
-    const double t = std::clamp(std::isfinite(share) ? share : 1.0, 0.0, 1.0);
-    constexpr Oklch kNone{0.56, 0.05, 245};
-    constexpr Oklch kSome{0.83, 0.13, 85};
-    constexpr Oklch kMuch{0.62, 0.22, 25};
-    if (t > 0.5) return between(kSome, kMuch, 2 * t - 1);
-    // Through neutral grey, not round the hue circle.
-    const Oklch grey{std::lerp(kNone.lightness, kSome.lightness, 0.35), 0.012, 160};
-    return t < 0.18 ? between(kNone, {grey.lightness, grey.chroma, 245}, t / 0.18)
-                    : between({grey.lightness, grey.chroma, 85}, kSome, (t - 0.18) / 0.32);
+Rgb differenceColor(double share, Theme theme) {
+    const double t = std::clamp(std::isfinite(share) ? share : 0.0, -1.0, 1.0);
+    const bool light = theme == Theme::light;
+    const double hue = t < 0 ? 258 : 50;
+    const Oklch none{light ? 0.74 : 0.80, 0.008, hue};
+    const Oklch most = t < 0 ? Oklch{light ? 0.40 : 0.50, 0.19, hue} : Oklch{light ? 0.56 : 0.64, 0.19, hue};
+    return between(none, most, std::abs(t));
+}
+
+Rgb uncomparedColor(Theme theme) {
+    return theme == Theme::light ? Rgb{196, 178, 206} : Rgb{92, 76, 104};
+}
+
+Rgb neutralColor(Theme theme) {
+    return theme == Theme::light ? Rgb{198, 204, 211} : Rgb{66, 74, 84};
 }
 
 std::optional<ColorScale> colorScale(const ViewDescription& view) {
@@ -115,10 +149,11 @@ std::size_t targetLayer(const ViewDescription& view) {
 }
 
 Rgb layerTint(const ViewDescription& view, std::size_t layer) {
-    if (view.overlay != Overlay::registration) return view.layers[layer].tint;
+    const std::size_t theme = place(view.theme);
+    if (view.overlay != Overlay::registration) return ownTint(view.layers[layer].tint, view.theme);
     const std::size_t target = targetLayer(view);
-    if (layer == target) return kTargetTint;
-    return kSourceTints[(layer - (layer > target ? 1 : 0)) % kSourceTints.size()];
+    if (layer == target) return kTargetTints[theme];
+    return kSourceTints[theme][(layer - (layer > target ? 1 : 0)) % kSourceTints[theme].size()];
 }
 
 }  // namespace vestige

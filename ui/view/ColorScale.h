@@ -13,24 +13,33 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 /// The colours of a value from `low` to `high`, drawn as a bar in the legend.
 struct ColorScale {
-    std::string title;  ///< "Height", "Distance to target"
+    std::string title;  ///< "Height", "Distance to the target's surface"
     std::string unit;
     double low = 0;
     double high = 1;
     double displayFactor = 1;  ///< shown number = value times this (1000 for mm)
-    bool warm = false;
+    std::optional<double>
+        noise;  ///< of signed distances: their spread, 1 sigma; the colours run from -high to high
+    Theme theme = Theme::dark;
     Rgb at(double value) const;
 };
 
 /// `share` 0 to 1, clamped. Even steps of lightness and hue in Oklab (B. Ottosson, 2020), so that equal steps
-/// of the value look equal; its dark end still stands out from the background.
-Rgb heightColor(double share);
-/// The same for errors: calm blue-grey for none, through orange, to red.
-Rgb errorColor(double share);
+/// of the value look equal; both ends stand out from the background.
+Rgb heightColor(double share, Theme theme = Theme::dark);
+/// `share` -1 to 1, clamped: blue below zero, grey at zero, orange above; told apart in every common form of
+/// colour blindness, and by lightness alone from the middle outwards.
+Rgb differenceColor(double share, Theme theme = Theme::dark);
+/// A point with nothing of the target to compare with.
+Rgb uncomparedColor(Theme theme);
+/// What is only there to show where the rest is.
+Rgb neutralColor(Theme theme);
 
 /// What the colours of a description mean; nothing for rgb, source, intensity and the overlay `registration`.
 /// Heights reach from the 1 % to the 99 % value of the visible layers, so that stray points do not flatten
-/// the colours; distances from 0 to a round number over their 90 % value.
+/// the colours; signed distances to a round number over 3 times their spread round the median (1.4826 times
+/// the median deviation), so that the noise stays pale and what exceeds it, a shift of the whole layer too,
+/// shows.
 std::optional<ColorScale> colorScale(const ViewDescription& view);
 
 /// What the others are registered to: the layer that says so, else the first.

@@ -14,6 +14,8 @@ constexpr double kPadding = 10;
 constexpr double kRow = 20;
 constexpr double kSwatch = 10;
 constexpr double kBarWidth = 150;
+constexpr double kDifferenceWidth = 214;
+constexpr double kNote = 15;
 constexpr double kBarHeight = 9;
 constexpr std::size_t kMostRows = 12;
 
@@ -29,7 +31,7 @@ QColor toQt(const Rgb& color) {
 QString attributeNote(const ViewDescription& view, std::size_t index) {
     const ViewLayer& layer = view.layers[index];
     if (view.overlay == Overlay::registration || view.overlay == Overlay::residual)
-        return index == targetLayer(view) ? QStringLiteral(", target") : QString();
+        return index == targetLayer(view) ? QStringLiteral(" (target)") : QString();
     if (view.overlay != Overlay::none || !layer.geometry) return {};
     const PointAttributes& attributes = layer.geometry->vertices.attributes();
     if (view.colorMode == ColorMode::rgb && attributes.color.empty()) return QStringLiteral(", no colour");
@@ -50,6 +52,11 @@ std::vector<Row> rows(const ViewDescription& view) {
         all.push_back({QString::fromStdString(layer.name.empty() ? layer.id : layer.name) + note,
                        tinted ? std::optional(toQt(layerTint(view, i))) : std::nullopt});
     }
+    const bool compares = std::any_of(view.layers.begin(), view.layers.end(), [](const ViewLayer& layer) {
+        return isDrawn(layer) && layer.residual_m;
+    });
+    if (view.overlay == Overlay::residual && compares)
+        all.push_back({QStringLiteral("no surface of the target there"), toQt(uncomparedColor(view.theme))});
     if (all.size() > kMostRows) {
         const std::size_t more = all.size() - kMostRows;
         all.resize(kMostRows);
@@ -64,12 +71,31 @@ int decimalsFor(double span) {
 
 QString numberText(const ColorScale& scale, double value) {
     const double factor = scale.displayFactor;
-    const int decimals =
-        scale.warm ? (scale.high * factor >= 5 ? 0 : 1) : decimalsFor((scale.high - scale.low) * factor);
+    const int decimals = scale.noise ? (scale.high * factor >= 10  ? 0
+                                        : scale.high * factor >= 1 ? 1
+                                                                   : 2)
+                                     : decimalsFor((scale.high - scale.low) * factor);
     // A true minus sign; "-0.0" would only puzzle.
     QString text = QString::fromStdString(fixedText(value * factor, decimals));
     if (text.toDouble() == 0) text.remove('-');
+    if (scale.noise && value > 0) text.prepend('+');
     return text.replace('-', QChar(0x2212));
+}
+
+/// How to read signed distances, below their bar.
+std::vector<QString> notes(const ColorScale& scale) {
+    if (!scale.noise) return {};
+    const double noise = *scale.noise * scale.displayFactor;
+    return {QStringLiteral("+ above or outside, \u2212 below or inside"),
+            QStringLiteral("Range: 3 \u00d7 the spread of %1 %2 (1 SD)")
+                .arg(QString::fromStdString(fixedText(noise, noise >= 10  ? 0
+                                                             : noise >= 1 ? 1
+                                                                          : 2)),
+                     QString::fromStdString(scale.unit))};
+}
+
+double barHeight(const std::optional<ColorScale>& scale) {
+    return scale ? 52 + kNote * static_cast<double>(notes(*scale).size()) : 0;
 }
 
 void paintBar(QPainter& painter, const ViewTheme& theme, const QRectF& place, const ColorScale& scale) {
@@ -90,8 +116,15 @@ void paintBar(QPainter& painter, const ViewTheme& theme, const QRectF& place, co
     painter.drawText(numbers, Qt::AlignLeft | Qt::AlignVCenter, numberText(scale, scale.low));
     painter.drawText(numbers, Qt::AlignHCenter | Qt::AlignVCenter,
                      numberText(scale, 0.5 * (scale.low + scale.high)));
-    const QString most = (scale.warm ? QStringLiteral("\u2265 ") : QString()) + numberText(scale, scale.high);
-    painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, most);
+    painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, numberText(scale, scale.high));
+    painter.setFont(theme.font(11));
+    painter.setPen(theme.quietText);
+    double y = numbers.bottom() + 2;
+    for (const QString& note : notes(scale)) {
+        painter.drawText(QRectF(place.left(), y, place.width(), kNote), Qt::AlignLeft | Qt::AlignVCenter,
+                         note);
+        y += kNote;
+    }
 }
 
 }  // namespace
@@ -102,11 +135,11 @@ QRectF paintLegend(QPainter& painter, const ViewTheme& theme, const QRectF& insi
     if (all.empty()) return {};
     painter.setFont(theme.font(12));
     const double most = std::max(80.0, 0.4 * inside.width());
-    double width = scale ? kBarWidth : 0;
+    double width = !scale ? 0 : scale->noise ? kDifferenceWidth : kBarWidth;
     for (const Row& row : all)
         width = std::max(width, std::min(most, painter.fontMetrics().horizontalAdvance(row.text) +
                                                    (row.swatch ? kSwatch + 8 : 0.0)));
-    const double barSpace = scale ? 52 : 0;
+    const double barSpace = barHeight(scale);
     const double height = 2 * kPadding - 4 + kRow * static_cast<double>(all.size()) + barSpace;
     const QRectF panel(inside.right() - width - 2 * kPadding, inside.top(), width + 2 * kPadding, height);
     painter.setPen(QPen(theme.panelEdge, 1));

@@ -1,11 +1,11 @@
 #include "ui/view/Marks.h"
 
 #include <QPainter>
-#include <QVector2D>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "ui/view/LabelPlaces.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -65,7 +65,7 @@ void paintLine(QPainter& painter, const ViewTheme& theme, const Segment& line, c
     const double width = mark.mark.highlighted ? 2.4 : 1.8;
     painter.setPen(QPen(theme.casing, width + 2.4, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(line.a, line.b);
-    QPen pen(mark.mark.highlighted ? QColor(255, 255, 255) : theme.text, width, Qt::SolidLine, Qt::RoundCap);
+    QPen pen(mark.mark.highlighted ? theme.line : theme.text, width, Qt::SolidLine, Qt::RoundCap);
     if (mark.pending) pen.setDashPattern({3, 3});
     painter.setPen(pen);
     painter.drawLine(line.a, line.b);
@@ -82,81 +82,54 @@ void paintEnd(QPainter& painter, const ViewTheme& theme, const QPointF& end, con
     painter.setBrush(Qt::NoBrush);
 }
 
-/// A label stands no further off than this, or than its line is long: of many short lines far away few can be
-/// told apart, and their labels would only hide the scene.
-constexpr double kNearLabel_px = 34;
+/// Room between a label's words and its edge, and between name and length.
+constexpr double kPadding_px = 9;
+constexpr double kGap_px = 10;
+constexpr double kHeight_px = 25;
 
-/// Where a label of that size can stand beside the line: at the middle first, then along it, further off;
-/// `anywhere` also far from a short line.
-std::vector<QRectF> labelPlaces(const Segment& line, const QSizeF& size, bool anywhere) {
-    const QPointF along = line.b - line.a;
-    const double length = std::hypot(along.x(), along.y());
-    QPointF aside = length > 1 ? QPointF(-along.y(), along.x()) / length : QPointF(0, -1);
-    if (aside.y() > 0 || (aside.y() == 0 && aside.x() < 0)) aside = -aside;
-    const double reach = 0.5 * (std::abs(aside.x()) * size.width() + std::abs(aside.y()) * size.height()) + 9;
-    std::vector<QRectF> places;
-    for (const double distance : {0.0, 16.0, 34.0, 60.0, 95.0, 140.0}) {
-        if (!anywhere && distance > std::max(kNearLabel_px, length)) break;
-        for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0})
-            for (const double side : {1.0, -1.0}) {
-                const QPointF centre = line.a + share * along + side * (reach + distance) * aside;
-                places.emplace_back(centre - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
-            }
-    }
-    return places;
+struct Fonts {
+    QFont length;
+    QFont name;
+};
+
+QString nameOf(const PaintedMark& mark) {
+    return QString::fromStdString(mark.mark.name);
 }
 
-/// Small boxes along a line, which labels leave free.
-void addAlong(const Segment& line, std::vector<QRectF>& taken) {
-    const QPointF step = line.b - line.a;
-    const int count = static_cast<int>(std::hypot(step.x(), step.y()) / 10);
-    for (int i = 1; i < count; ++i)
-        taken.emplace_back(line.a + step * i / count - QPointF(2, 2), QSizeF(4, 4));
+LabelWish wishOf(const Fonts& fonts, const PaintedMark& mark, const Segment& line) {
+    LabelWish wish{QLineF(line.a, line.b), {}, {}, mark.pending || mark.mark.highlighted, mark.pending};
+    if (mark.mark.label.empty()) return wish;
+    const QString length = QString::fromStdString(mark.mark.label);
+    const double width = std::ceil(QFontMetricsF(fonts.length).horizontalAdvance(length)) + 2 * kPadding_px;
+    wish.size = {width, kHeight_px};
+    wish.sizeAside = wish.size;
+    if (!mark.mark.name.empty())
+        wish.sizeAside.rwidth() +=
+            std::ceil(QFontMetricsF(fonts.name).horizontalAdvance(nameOf(mark))) + kGap_px;
+    return wish;
 }
 
-double overlapArea(const QRectF& place, const std::vector<QRectF>& taken) {
-    double area = 0;
-    for (const QRectF& other : taken) {
-        const QRectF common = place.adjusted(-3, -3, 3, 3) & other;
-        if (!common.isEmpty()) area += common.width() * common.height();
-    }
-    return area;
-}
-
-/// The first place that is free and inside; the least bad one for a mark that must be told.
-std::optional<QRectF> choosePlace(const std::vector<QRectF>& places, const QRectF& inside,
-                                  const std::vector<QRectF>& taken, bool must) {
-    std::optional<QRectF> best;
-    double least = 0;
-    for (const QRectF& place : places) {
-        if (!inside.contains(place)) continue;
-        const double overlap = overlapArea(place, taken);
-        if (overlap == 0) return place;
-        if (must && (!best || overlap < least)) {
-            best = place;
-            least = overlap;
-        }
-    }
-    return best;
-}
-
-void paintLabel(QPainter& painter, const ViewTheme& theme, const QRectF& place, const PaintedMark& mark) {
+void paintLabel(QPainter& painter, const ViewTheme& theme, const Fonts& fonts, const LabelPlace& place,
+                const PaintedMark& mark) {
     painter.setPen(QPen(mark.mark.highlighted ? theme.highlight : theme.panelEdge, 1));
     painter.setBrush(theme.panel);
-    painter.drawRoundedRect(place, 5, 5);
+    painter.drawRoundedRect(place.box, 5, 5);
     painter.setBrush(Qt::NoBrush);
+    const QRectF words = place.box.adjusted(kPadding_px, 0, -kPadding_px, 0);
+    painter.setFont(fonts.length);
     painter.setPen(theme.text);
-    painter.drawText(place, Qt::AlignCenter, QString::fromStdString(mark.mark.label));
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(mark.mark.label));
+    if (!place.leader || mark.mark.name.empty()) return;
+    painter.setFont(fonts.name);
+    painter.setPen(theme.quietText);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, nameOf(mark));
 }
 
-/// A thin line from a label that stands far off to the middle of its mark.
-void paintLeader(QPainter& painter, const ViewTheme& theme, const QRectF& place, const Segment& line) {
-    const QPointF middle = 0.5 * (line.a + line.b);
-    const QPointF nearest(std::clamp(middle.x(), place.left(), place.right()),
-                          std::clamp(middle.y(), place.top(), place.bottom()));
-    if (QVector2D(nearest - middle).length() < 24) return;
-    painter.setPen(QPen(theme.quietText, 1));
-    painter.drawLine(nearest, middle);
+void paintLeader(QPainter& painter, const ViewTheme& theme, const QLineF& leader, bool highlighted) {
+    painter.setPen(QPen(theme.casing, 3.2, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(leader);
+    painter.setPen(QPen(highlighted ? theme.highlight : theme.quietText, 1.2, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(leader);
 }
 
 }  // namespace
@@ -173,27 +146,15 @@ std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const 
         const auto rank = [](const PaintedMark& mark) { return 2 * mark.pending + mark.mark.highlighted; };
         return rank(*one.first) > rank(*other.first);
     });
-    for (const auto& [mark, line] : shown)
-        for (const QPointF& end : {line.a, line.b}) taken.emplace_back(end - QPointF(6, 6), QSizeF(12, 12));
-    for (const auto& [mark, line] : shown) addAlong(line, taken);
-
-    std::vector<std::optional<QRectF>> places;
-    painter.setFont(theme.font(13, true));
-    const QFontMetricsF metrics(painter.font());
-    for (const auto& [mark, line] : shown) {
-        std::optional<QRectF> place;
-        if (!mark->mark.label.empty()) {
-            const QString text = QString::fromStdString(mark->mark.label);
-            const QSizeF size(std::ceil(metrics.horizontalAdvance(text)) + 18, 25);
-            const bool must = mark->pending || mark->mark.highlighted;
-            place = choosePlace(labelPlaces(line, size, must), picture.adjusted(4, 4, -4, -4), taken, must);
-            if (place) taken.push_back(*place);
-        }
-        places.push_back(place);
-    }
+    const Fonts fonts{theme.font(13, true), theme.font(12)};
+    std::vector<LabelWish> wishes;
+    for (const auto& [mark, line] : shown) wishes.push_back(wishOf(fonts, *mark, line));
+    const std::vector<std::optional<LabelPlace>> places = placeLabels(wishes, picture, std::move(taken));
+    for (std::size_t i = shown.size(); i-- > 0;)
+        if (places[i] && places[i]->leader)
+            paintLeader(painter, theme, *places[i]->leader, shown[i].first->mark.highlighted);
     for (std::size_t i = shown.size(); i-- > 0;) {
         const auto& [mark, line] = shown[i];
-        if (places[i]) paintLeader(painter, theme, *places[i], line);
         paintLine(painter, theme, line, *mark);
         if (line.aShown) paintEnd(painter, theme, line.a, *mark);
         if (line.bShown) paintEnd(painter, theme, line.b, *mark);
@@ -201,8 +162,8 @@ std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const 
     std::vector<QRectF> labels;
     for (std::size_t i = shown.size(); i-- > 0;) {
         if (!places[i]) continue;
-        paintLabel(painter, theme, *places[i], *shown[i].first);
-        labels.push_back(*places[i]);
+        paintLabel(painter, theme, fonts, *places[i], *shown[i].first);
+        labels.push_back(places[i]->box);
     }
     return labels;
 }

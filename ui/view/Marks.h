@@ -17,8 +17,8 @@ struct PaintedMark {
 };
 
 /// Paints measured pairs on top of everything: line, ends, and the length in a label that keeps clear of the
-/// other labels and of `taken`, the places of legend, scale bar and title. A label for which there is no free
-/// place near its line is left out unless its mark is highlighted or pending. Returns the places of the labels.
+/// other labels and of `taken`, the places of legend, scale bar and title (see LabelPlaces.h). Returns the
+/// places of the labels.
 std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
                                const ViewCamera& camera, const std::vector<PaintedMark>& marks,
                                std::vector<QRectF> taken);

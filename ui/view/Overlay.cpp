@@ -31,8 +31,8 @@ QRectF paintTitle(QPainter& painter, const ViewTheme& theme, const QString& titl
 }  // namespace
 
 void paintOverlay(QPainter& painter, const OverlayContent& content) {
-    const ViewTheme theme;
     const ViewDescription& view = content.view;
+    const ViewTheme theme = viewTheme(view.theme);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     const QRectF picture(0, 0, content.camera.width_px, content.camera.height_px);
     const QRectF inside = picture.adjusted(kMargin, kMargin, -kMargin, -kMargin);

@@ -32,6 +32,7 @@ uniform vec2 range;        // near and far plane, m
 uniform int parallel;
 uniform float footprint;   // m a pixel covers: at depth 1 in perspective, everywhere in parallel
 uniform int eyeDome;
+uniform float faint;       // of the other picture in a tile that has nothing there
 uniform vec3 top;
 uniform vec3 bottom;
 
@@ -42,6 +43,18 @@ bool fromOther() {
 
 float depthAt(bool other, vec2 place) {
     return other ? texture(otherDepths, place).r : texture(depths, place).r;
+}
+
+vec3 colorAt(bool other) {
+    return other ? texture(otherPicture, texCoord).rgb : texture(picture, texCoord).rgb;
+}
+
+// Nothing here nor 4 pixels around: not just a gap between points.
+bool emptyAround(bool other) {
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+            if (depthAt(other, texCoord + 4.0 * vec2(x, y) * pixel) < 1.0) return false;
+    return true;
 }
 
 float metres(float d) {
@@ -58,7 +71,10 @@ void main() {
     bool other = fromOther();
     float d = depthAt(other, texCoord);
     vec3 shown = mix(bottom, top, texCoord.y);
-    if (d < 1.0) shown = other ? texture(otherPicture, texCoord).rgb : texture(picture, texCoord).rgb;
+    if (d < 1.0)
+        shown = colorAt(other);
+    else if (mixing == 3 && depthAt(!other, texCoord) < 1.0 && emptyAround(other))
+        shown = mix(shown, colorAt(!other), faint);
     if (eyeDome == 1 && d < 1.0) {
         float here = metres(d);
         float unit = 3.0 * (parallel == 1 ? footprint : footprint * here);
@@ -72,6 +88,8 @@ void main() {
     gl_FragData[0] = vec4(shown, 1.0);
 }
 )";
+
+constexpr float kFaint = 0.3F;
 
 }  // namespace
 
@@ -192,6 +210,7 @@ void PicturePass::show(const vtkRenderState& state) {
     program->SetUniformi("parallel", parallel);
     program->SetUniformf("footprint", static_cast<float>(2 * halfHeight / height_));
     program->SetUniformi("eyeDome", eyeDome_);
+    program->SetUniformf("faint", kFaint);
     program->SetUniform3f("top", top_.data());
     program->SetUniform3f("bottom", bottom_.data());
     gl->vtkglViewport(0, 0, width_, height_);

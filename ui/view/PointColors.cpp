@@ -11,7 +11,6 @@ namespace {
 
 using Rgba = std::array<std::uint8_t, 4>;
 constexpr std::size_t kGrain = 65536;
-constexpr Rgb kNeutral{112, 122, 134};
 
 template <class ColorOf>
 std::vector<Rgba> fill(std::size_t count, const ColorOf& colorOf) {
@@ -33,8 +32,8 @@ std::array<Rgb, 256> table(const Color& color) {
     return steps;
 }
 
-Rgb lookUp(const std::array<Rgb, 256>& steps, double share) {
-    if (!std::isfinite(share)) return kNeutral;
+Rgb lookUp(const std::array<Rgb, 256>& steps, double share, const Rgb& otherwise) {
+    if (!std::isfinite(share)) return otherwise;
     return steps[static_cast<std::size_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)))];
 }
 
@@ -103,17 +102,19 @@ std::vector<Rgba> byColor(const PointCloud& cloud, const Rgb& tint) {
 
 std::vector<Rgba> byHeight(const ViewLayer& layer, const ColorScale& scale) {
     const PointCloud& cloud = layer.geometry->vertices;
-    const auto steps = table(heightColor);
+    const auto steps = table([&](double share) { return heightColor(share, scale.theme); });
     return fill(cloud.size(), [&](std::size_t i) {
         const double height = (layer.worldFromLayer * cloud.point(i)).z();
-        return lookUp(steps, (height - scale.low) / (scale.high - scale.low));
+        return lookUp(steps, (height - scale.low) / (scale.high - scale.low), neutralColor(scale.theme));
     });
 }
 
 std::vector<Rgba> byResidual(const ViewLayer& layer, const ColorScale& scale) {
-    const auto steps = table(errorColor);
-    return fill(layer.residual_m->size(),
-                [&](std::size_t i) { return lookUp(steps, std::abs((*layer.residual_m)[i]) / scale.high); });
+    const auto steps = table([&](double share) { return differenceColor(2 * share - 1, scale.theme); });
+    const Rgb uncompared = uncomparedColor(scale.theme);
+    return fill(layer.residual_m->size(), [&](std::size_t i) {
+        return lookUp(steps, 0.5 + 0.5 * (*layer.residual_m)[i] / scale.high, uncompared);
+    });
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ std::vector<Rgba> pointColors(const ViewDescription& view, std::size_t index,
     const PointCloud& cloud = layer.geometry->vertices;
     if (view.overlay == Overlay::residual) {
         const bool measured = layer.residual_m && layer.residual_m->size() == cloud.size();
-        return measured && scale ? byResidual(layer, *scale) : tinted(cloud, kNeutral);
+        return measured && scale ? byResidual(layer, *scale) : tinted(cloud, neutralColor(view.theme));
     }
     const Rgb tint = layerTint(view, index);
     if (view.overlay != Overlay::none) return tinted(cloud, tint);

@@ -26,9 +26,20 @@ uniform mat4 clipFromDisplay;
 uniform mat4 motion;
 uniform float pointSize;
 uniform float spacing;    // pixels between neighbours, times depth in perspective
+uniform float pull;       // how much nearer to the camera, m
+uniform vec2 range;       // near and far plane, m
+uniform int parallel;
 void main() {
     color = paint;
     gl_Position = clipFromDisplay * (motion * vec4(place, 1.0));
+    if (parallel == 1) {
+        gl_Position.z -= 2.0 * pull / (range.y - range.x);
+    } else if (pull > 0.0 && gl_Position.w > range.x) {
+        // Depth is A + B / w; that of w less the pull, but not before the near plane.
+        float b = -2.0 * range.x * range.y / (range.y - range.x);
+        float nearer = min(pull, 0.9 * (gl_Position.w - range.x));
+        gl_Position.z += b * nearer / (gl_Position.w - nearer);
+    }
     size = clamp(spacing / gl_Position.w, pointSize, 2.5 * pointSize);
     gl_PointSize = size;
 }
@@ -123,6 +134,11 @@ int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     const double halfHeight = camera->GetParallelProjection()
                                   ? camera->GetParallelScale()
                                   : std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+    const float range[2] = {static_cast<float>(camera->GetClippingRange()[0]),
+                            static_cast<float>(camera->GetClippingRange()[1])};
+    program->SetUniform2f("range", range);
+    program->SetUniformi("parallel", camera->GetParallelProjection() != 0);
+    program->SetUniformf("pull", static_cast<float>(pull_m_));
     program->SetUniformf("pointSize", static_cast<float>(pointSize_));
     program->SetUniformf("spacing",
                          static_cast<float>(spacing_m_ * 0.5 * renderer->GetSize()[1] / halfHeight));

@@ -33,6 +33,9 @@ class PointProp : public vtkProp {
     /// would be full of holes.
     void setPointSize(double pixels) { pointSize_ = pixels; }
 
+    /// Draws the points as if they lay this much nearer to the camera: over what they coincide with.
+    void setPull(double metres) { pull_m_ = metres; }
+
     /// Moves the points from where setPositions() has them, in the display frame.
     void setMotion(const Eigen::Matrix4f& motion) { motion_ = motion; }
 
@@ -61,6 +64,7 @@ class PointProp : public vtkProp {
     double to_ = 1;
     double pointSize_ = 2;
     double spacing_m_ = 0;
+    double pull_m_ = 0;
     Eigen::Matrix4f motion_ = Eigen::Matrix4f::Identity();
     double bounds_[6] = {-1, 1, -1, 1, -1, 1};
     vtkNew<vtkOpenGLBufferObject> positionBuffer_;

@@ -15,6 +15,7 @@
 #include "ui/view/PicturePass.h"
 #include "ui/view/PointColors.h"
 #include "ui/view/PointProp.h"
+#include "ui/view/ViewTheme.h"
 #include "ui/view/VtkCamera.h"
 
 namespace vestige {
@@ -24,6 +25,7 @@ namespace {
 struct ColorKey {
     ColorMode mode;
     Overlay overlay;
+    Theme theme;
     Rgb tint;
     std::shared_ptr<const std::vector<float>> residuals;
     double low;
@@ -38,6 +40,12 @@ bool byHeight(const ViewDescription& view) {
 
 /// Moved in the display frame, points keep their digits while they are this near to its origin, metres.
 constexpr double kNearOrigin_m = 1000;
+constexpr double kMostPull_m = 0.4;
+
+Eigen::Vector3f toVector(const QColor& color) {
+    return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
+            static_cast<float>(color.blueF())};
+}
 
 bool samePlace(const Similarity& a, const Similarity& b) {
     return a.scale == b.scale && a.pose.matrix() == b.pose.matrix();
@@ -152,11 +160,19 @@ struct SceneDrawing::Private {
         return drawn;
     }
 
+    /// Half of what is coloured by its distance lies behind the target's surface; it is drawn as if it lay
+    /// before it, or one sign of the distances would be hidden.
+    double pullOf(const ViewDescription& view, const ViewLayer& layer) const {
+        if (view.overlay != Overlay::residual || !layer.residual_m || !scale) return 0;
+        return std::min(kMostPull_m, 2 * scale->high);
+    }
+
     void color(Drawn& drawn, const ViewDescription& view, std::size_t index) {
         const ViewLayer& layer = view.layers[index];
         const ColorKey key{
             view.colorMode,
             view.overlay,
+            view.theme,
             layerTint(view, index),
             layer.residual_m,
             scale ? scale->low : 0,
@@ -209,10 +225,15 @@ void SceneDrawing::show(const ViewDescription& view,
         drawn.visible = drawn.sides[0].visible || drawn.sides[1].visible;
         drawn.prop()->SetVisibility(drawn.visible);
         if (drawn.visible) d_->color(drawn, view, i);
-        if (drawn.points) drawn.points->setPointSize(view.pointSize_px);
+        if (drawn.points) {
+            drawn.points->setPointSize(view.pointSize_px);
+            drawn.points->setPull(d_->pullOf(view, layer));
+        }
     }
     for (const Drawn& drawn : before) d_->remove(drawn);
     d_->pass->setEyeDomeLighting(view.eyeDomeLighting);
+    const ViewTheme theme = viewTheme(view.theme);
+    d_->pass->setBackground(toVector(theme.backgroundTop), toVector(theme.backgroundBottom));
     d_->compares = view.comparison.has_value();
     if (view.comparison)
         setComparison(*view.comparison);

@@ -29,7 +29,7 @@ QRectF paintDivider(QPainter& painter, const ViewTheme& theme, const QRectF& pic
     const double x = picture.left() + comparison.divider * picture.width();
     painter.setPen(QPen(theme.casing, 4));
     painter.drawLine(QPointF(x, picture.top()), QPointF(x, picture.bottom()));
-    painter.setPen(QPen(Qt::white, 1.6));
+    painter.setPen(QPen(theme.line, 1.6));
     painter.drawLine(QPointF(x, picture.top()), QPointF(x, picture.bottom()));
     const QPointF handle(x, picture.center().y());
     painter.setBrush(theme.panel);
@@ -51,7 +51,7 @@ QRectF paintDivider(QPainter& painter, const ViewTheme& theme, const QRectF& pic
 /// Small crosses where four tiles meet: lines along the tiles would hide what runs across them.
 void paintCorners(QPainter& painter, const ViewTheme& theme, const QRectF& picture, int tile_px) {
     constexpr double kArm = 4;
-    for (const auto& [color, width] : {std::pair(theme.casing, 3.0), std::pair(QColor(Qt::white), 1.2)}) {
+    for (const auto& [color, width] : {std::pair(theme.casing, 3.0), std::pair(theme.line, 1.2)}) {
         painter.setPen(QPen(color, width));
         for (double x = picture.left() + tile_px; x < picture.right(); x += tile_px)
             for (double y = picture.top() + tile_px; y < picture.bottom(); y += tile_px) {
@@ -73,7 +73,9 @@ QRectF paintSplit(QPainter& painter, const ViewTheme& theme, const QRectF& pictu
     QString said = comparison.otherShown ? other : name;
     if (comparison.mode == CompareMode::checkerboard) {
         paintCorners(painter, theme, picture, comparison.tile_px);
-        said = QStringLiteral("Tiles: %1, %2; at the top left %1").arg(name, other);
+        said =
+            QStringLiteral("Tiles: %1 and %2 in turn, %1 at the top left; faint where a tile's own is empty")
+                .arg(name, other);
     }
     const double width = comparison.mode == CompareMode::checkerboard
                              ? widthOf(painter, said)

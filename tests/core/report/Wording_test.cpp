@@ -12,15 +12,6 @@ TEST(Wording, SignsPercentages) {
     EXPECT_EQ(percent(0.0466, 2), "4.66\u00a0%");
 }
 
-TEST(Wording, ShowsTwoFiguresOfTheUncertainty) {
-    EXPECT_EQ(decimalsFor(0.0141), 3);
-    EXPECT_EQ(decimalsFor(0.00034), 5);
-    EXPECT_EQ(decimalsFor(0.25), 2);
-    EXPECT_EQ(decimalsFor(1e-9), 5);
-    EXPECT_EQ(decimalsFor({}), 3);
-    EXPECT_EQ(metres(4.78634, 0.0141), "4.786");
-}
-
 TEST(Wording, GroupsThousands) {
     EXPECT_EQ(grouped(0), "0");
     EXPECT_EQ(grouped(999), "999");

@@ -10,7 +10,7 @@ TEST(Wording, LengthsAndUncertainties) {
     EXPECT_EQ(lengthText(0.08312), "0.0831");
     EXPECT_EQ(lengthText(std::nullopt), QString::fromUtf8("–"));
     EXPECT_EQ(uncertaintyText(0.01437), "0.014");
-    EXPECT_EQ(uncertaintyText(0.00061), "0.00061");
+    EXPECT_EQ(uncertaintyText(0.00061), "0.0007");
     EXPECT_EQ(uncertaintyText(12.4), "12");
     EXPECT_EQ(uncertaintyText(std::nullopt), QString::fromUtf8("–"));
     EXPECT_EQ(distanceText(0.0148), "14.8 mm");

@@ -67,12 +67,28 @@ TEST(Comparison, TilesShowBothInTurnFromTheTopLeft) {
     view.comparison->tile_px = 50;
     const Alone alone(view);
     const QImage shown = picture(view);
+    const auto empty = [](const QColor& color) { return qGray(color.rgb()) < 40; };
+    int faint = 0;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 8; ++column) {
-            const QRect inside(50 * column + 6, 50 * row + 6, 38, 38);
-            const QImage& expected = (row + column) % 2 == 0 ? alone.own : alone.other;
-            EXPECT_GT(alike(shown, expected, inside), 0.99) << row << ", " << column;
+            const bool isOwn = (row + column) % 2 == 0;
+            const QImage& chosen = isOwn ? alone.own : alone.other;
+            const QImage& hidden = isOwn ? alone.other : alone.own;
+            for (int y = 50 * row + 6; y < 50 * row + 44; ++y)
+                for (int x = 50 * column + 6; x < 50 * column + 44; ++x) {
+                    const QColor now = shown.pixelColor(x, y);
+                    if (!empty(chosen.pixelColor(x, y))) {
+                        ASSERT_EQ(now, chosen.pixelColor(x, y)) << x << ", " << y;
+                    } else if (empty(hidden.pixelColor(x, y))) {
+                        ASSERT_EQ(now, chosen.pixelColor(x, y)) << "both are empty at " << x << ", " << y;
+                    } else if (now != chosen.pixelColor(x, y)) {
+                        ++faint;
+                        ASSERT_GT(qGray(now.rgb()), 40);
+                        ASSERT_LT(qGray(now.rgb()), 0.5 * qGray(hidden.pixel(x, y)));
+                    }
+                }
         }
+    EXPECT_GT(faint, 1000) << "where a tile's own is empty the other one shows through";
 }
 
 TEST(Comparison, BlinkShowsOneOfThem) {

@@ -4,9 +4,11 @@
 
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "tests/ui/view/Samples.h"
+#include "ui/view/LabelPlaces.h"
 #include "ui/view/ScaleBar.h"
 #include "ui/view/ViewTheme.h"
 
@@ -55,17 +57,69 @@ TEST(Marks, LabelsKeepClearOfEachOtherAndOfTheLegend) {
     }
 }
 
-TEST(Marks, LabelsOfShortLinesStayNearThem) {
+TEST(Marks, LabelsOfShortLinesStandAsideAndHideNothingThatIsMeasured) {
     Canvas canvas;
     std::vector<PaintedMark> marks;
-    for (int i = 0; i < 12; ++i)
+    QRectF measured;
+    for (int i = 0; i < 12; ++i) {
         marks.push_back(mark({0.05 * i, 0.03 * (i % 4), 0}, {0.05 * i + 0.1, 0.03 * (i % 4), 0}));
-    const auto centre = canvas.camera.project(Eigen::Vector3d(0.3, 0.05, 0))->pixel;
+        marks.back().mark.name = "Object " + std::to_string(i);
+        for (const Eigen::Vector3d& end : {marks.back().mark.a, marks.back().mark.b}) {
+            const auto at = canvas.camera.project(end)->pixel;
+            measured |= QRectF(at.x() - 2, at.y() - 2, 4, 4);
+        }
+    }
     const std::vector<QRectF> labels = canvas.paint(marks);
-    EXPECT_GE(labels.size(), 1U);
-    EXPECT_LT(labels.size(), 12U) << "all of them would pile up round a few pixels";
-    for (const QRectF& label : labels)
-        EXPECT_LT(std::abs(label.center().y() - centre.y()), 90) << "it points at nothing that can be seen";
+    ASSERT_EQ(labels.size(), 12U);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        EXPECT_TRUE(QRectF(canvas.picture.rect()).contains(labels[i]));
+        EXPECT_FALSE(labels[i].intersects(measured)) << "it covers what is measured";
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(labels[i].intersects(labels[j]));
+    }
+    EXPECT_EQ(canvas.paint(marks), labels) << "the same scene, the same picture";
+}
+
+TEST(LabelPlaces, LeadersOfAColumnDoNotCrossAndEndAtTheirLines) {
+    std::vector<LabelWish> wishes;
+    for (int i = 0; i < 18; ++i) {
+        const QPointF at(300 + 13 * ((7 * i) % 18), 220 + 9 * ((5 * i) % 18));
+        wishes.push_back({QLineF(at, at + QPointF(4, 3)), {120, 25}, {200, 25}});
+    }
+    const QRectF legend(560, 14, 226, 120);
+    const auto places = placeLabels(wishes, {0, 0, 800, 600}, {legend});
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        ASSERT_TRUE(places[i] && places[i]->leader);
+        EXPECT_EQ(places[i]->leader->p2(), wishes[i].line.center());
+        EXPECT_FALSE(places[i]->box.intersects(legend));
+        for (std::size_t j = 0; j < i; ++j) {
+            const bool sameColumn = (places[i]->box.left() < 400) == (places[j]->box.left() < 400);
+            if (sameColumn) {
+                EXPECT_NE(places[i]->leader->intersects(*places[j]->leader, nullptr),
+                          QLineF::BoundedIntersection)
+                    << i << " and " << j;
+            }
+            EXPECT_FALSE(places[i]->box.intersects(places[j]->box));
+        }
+    }
+}
+
+TEST(LabelPlaces, ALabelStandsBesideALineThatIsLongerThanIt) {
+    const auto places =
+        placeLabels({{QLineF(200, 300, 500, 300), {120, 25}, {200, 25}}}, {0, 0, 800, 600}, {});
+    ASSERT_TRUE(places[0]);
+    EXPECT_FALSE(places[0]->leader);
+    EXPECT_NEAR(places[0]->box.center().x(), 350, 1);
+    EXPECT_LT(std::abs(places[0]->box.center().y() - 300), 40);
+}
+
+TEST(LabelPlaces, WhatFindsNoRoomIsLeftOut) {
+    std::vector<LabelWish> wishes(60, {QLineF(400, 300, 404, 303), {120, 25}, {200, 25}});
+    const auto places = placeLabels(wishes, {0, 0, 800, 600}, {});
+    const auto told =
+        std::count_if(places.begin(), places.end(), [](const auto& place) { return place.has_value(); });
+    EXPECT_GE(told, 36);
+    EXPECT_LE(told, 40) << "two columns of 600 pixels hold no more";
+    for (std::size_t i = 0; i < 30; ++i) EXPECT_TRUE(places[i] || i >= 18) << "earlier ones come first";
 }
 
 TEST(Marks, HighlightedIsToldHoweverFullThePictureIs) {

@@ -1,0 +1,240 @@
+#include "ui/view/LabelPlaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace vestige {
+namespace {
+
+constexpr double kEdge_px = 4;     ///< a label keeps off the picture's edge
+constexpr double kBetween_px = 5;  ///< from one label of a column to the next
+constexpr double kBeside_px = 46;  ///< from the outermost line to a column
+
+/// Where a label can stand beside the line: at the middle first, then along it, further off.
+std::vector<QRectF> placesBeside(const QLineF& line, const QSizeF& size, bool anywhere) {
+    const QPointF along = line.p2() - line.p1();
+    const double length = line.length();
+    QPointF aside = length > 1 ? QPointF(-along.y(), along.x()) / length : QPointF(0, -1);
+    if (aside.y() > 0 || (aside.y() == 0 && aside.x() < 0)) aside = -aside;
+    const double reach = 0.5 * (std::abs(aside.x()) * size.width() + std::abs(aside.y()) * size.height()) + 9;
+    std::vector<QRectF> places;
+    for (const double distance : {0.0, 16.0, 34.0, 60.0, 95.0, 140.0}) {
+        if (!anywhere && distance > 16) break;
+        for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0})
+            for (const double side : {1.0, -1.0}) {
+                const QPointF centre = line.p1() + share * along + side * (reach + distance) * aside;
+                places.emplace_back(centre - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
+            }
+    }
+    return places;
+}
+
+double overlapArea(const QRectF& place, const std::vector<QRectF>& taken) {
+    double area = 0;
+    for (const QRectF& other : taken) {
+        const QRectF common = place.adjusted(-3, -3, 3, 3) & other;
+        if (!common.isEmpty()) area += common.width() * common.height();
+    }
+    return area;
+}
+
+/// The first place that is free and inside; with `must` the least bad one.
+std::optional<QRectF> choose(const std::vector<QRectF>& places, const QRectF& inside,
+                             const std::vector<QRectF>& taken, bool must) {
+    std::optional<QRectF> best;
+    double least = 0;
+    for (const QRectF& place : places) {
+        if (!inside.contains(place)) continue;
+        const double overlap = overlapArea(place, taken);
+        if (overlap == 0) return place;
+        if (must && (!best || overlap < least)) {
+            best = place;
+            least = overlap;
+        }
+    }
+    return best;
+}
+
+/// The longest stretch of a column that nothing stands in.
+std::pair<double, double> freeStretch(const QRectF& column, const std::vector<QRectF>& taken) {
+    std::vector<std::pair<double, double>> blocked;
+    for (const QRectF& other : taken)
+        if (other.intersects(column))
+            blocked.emplace_back(other.top() - kBetween_px, other.bottom() + kBetween_px);
+    std::sort(blocked.begin(), blocked.end());
+    blocked.emplace_back(column.bottom(), column.bottom());
+    std::pair<double, double> longest{column.top(), column.top()};
+    double from = column.top();
+    for (const auto& [top, bottom] : blocked) {
+        if (top - from > longest.second - longest.first) longest = {from, top};
+        from = std::max(from, bottom);
+    }
+    return longest;
+}
+
+/// Tops of labels one below the other, as near to the wished ones (ascending) as can be, within the stretch:
+/// neighbours that would overlap make a block, which stands where its labels want to be on average.
+std::vector<double> stacked(const std::vector<double>& wished, double pitch, double from, double to) {
+    struct Block {
+        double sum = 0;  ///< of wished top less its offset in the block
+        std::size_t count = 0;
+        double top = 0;
+    };
+    std::vector<Block> blocks;
+    const auto place = [&](Block& block) {
+        const double room = to - pitch * static_cast<double>(block.count);
+        block.top = std::max(from, std::min(block.sum / static_cast<double>(block.count), room));
+    };
+    for (const double top : wished) {
+        blocks.push_back({top, 1, 0});
+        place(blocks.back());
+        while (blocks.size() > 1) {
+            Block& before = blocks[blocks.size() - 2];
+            const Block& last = blocks.back();
+            const double height = pitch * static_cast<double>(before.count);
+            if (before.top + height <= last.top) break;
+            before.sum += last.sum - height * static_cast<double>(last.count);
+            before.count += last.count;
+            blocks.pop_back();
+            place(before);
+        }
+    }
+    std::vector<double> tops;
+    for (const Block& block : blocks)
+        for (std::size_t i = 0; i < block.count; ++i)
+            tops.push_back(block.top + pitch * static_cast<double>(i));
+    return tops;
+}
+
+/// Small boxes along a line and round its ends, which labels beside lines leave free.
+void addLine(const QLineF& line, std::vector<QRectF>& taken) {
+    for (const QPointF& end : {line.p1(), line.p2()}) taken.emplace_back(end - QPointF(6, 6), QSizeF(12, 12));
+    const int count = static_cast<int>(line.length() / 10);
+    for (int i = 1; i < count; ++i)
+        taken.emplace_back(line.pointAt(static_cast<double>(i) / count) - QPointF(2, 2), QSizeF(4, 4));
+}
+
+bool cross(const QLineF& one, const QLineF& other) {
+    return one.intersects(other, nullptr) == QLineF::BoundedIntersection;
+}
+
+/// Two columns of labels with leaders.
+class Columns {
+  public:
+    Columns(const std::vector<LabelWish>& wishes, const QRectF& inside, const std::vector<QRectF>& taken)
+        : wishes_(wishes), inside_(inside), taken_(taken) {
+        QRectF lines;
+        for (const LabelWish& wish : wishes_)
+            lines |= QRectF(wish.line.p1(), wish.line.p2()).normalized().adjusted(-1, -1, 1, 1);
+        left_ = lines.left() - kBeside_px;
+        right_ = lines.right() + kBeside_px;
+    }
+
+    void place(std::vector<std::size_t> open, std::vector<std::optional<LabelPlace>>& places) const {
+        std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+            const QPointF one = middle(a);
+            const QPointF other = middle(b);
+            return std::tuple(one.x(), one.y(), a) < std::tuple(other.x(), other.y(), b);
+        });
+        auto half = static_cast<std::ptrdiff_t>(open.size() / 2);
+        // A single one stands on the side with more room.
+        if (open.size() == 1 && left_ - inside_.left() > inside_.right() - right_) half = 1;
+        fill({open.begin(), open.begin() + half}, true, places);
+        fill({open.begin() + half, open.end()}, false, places);
+    }
+
+  private:
+    QPointF middle(std::size_t wish) const { return wishes_[wish].line.center(); }
+
+    void fill(std::vector<std::size_t> members, bool left,
+              std::vector<std::optional<LabelPlace>>& places) const {
+        if (members.empty()) return;
+        double width = 0;
+        double height = 0;
+        for (const std::size_t i : members) {
+            width = std::max(width, wishes_[i].sizeAside.width());
+            height = std::max(height, wishes_[i].sizeAside.height());
+        }
+        // The edge that looks at the lines.
+        const double edge = left ? std::max(left_, std::min(inside_.left() + width, inside_.right()))
+                                 : std::min(right_, std::max(inside_.right() - width, inside_.left()));
+        const QRectF column(left ? edge - width : edge, inside_.top(), width, inside_.height());
+        const auto [from, to] = freeStretch(column, taken_);
+        const double pitch = height + kBetween_px;
+        const auto most = static_cast<std::size_t>(std::max(0.0, (to - from + kBetween_px) / pitch));
+        if (members.size() > most) {
+            std::sort(members.begin(), members.end());
+            members.resize(most);
+        }
+        std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+            return std::tuple(middle(a).y(), middle(a).x(), a) < std::tuple(middle(b).y(), middle(b).x(), b);
+        });
+        std::vector<double> wished;
+        for (const std::size_t i : members) wished.push_back(middle(i).y() - 0.5 * height);
+        const std::vector<double> tops = stacked(wished, pitch, from, to + kBetween_px);
+        const auto leader = [&](std::size_t slot) {
+            return QLineF(QPointF(edge, tops[slot] + 0.5 * height), middle(members[slot]));
+        };
+        // Exchanging two that cross makes both together shorter, so this ends.
+        for (bool crossed = true; crossed;) {
+            crossed = false;
+            for (std::size_t a = 0; a < members.size(); ++a)
+                for (std::size_t b = a + 1; b < members.size(); ++b) {
+                    const double before = leader(a).length() + leader(b).length();
+                    if (!cross(leader(a), leader(b))) continue;
+                    std::swap(members[a], members[b]);
+                    if (leader(a).length() + leader(b).length() < before - 1e-6)
+                        crossed = true;
+                    else
+                        std::swap(members[a], members[b]);
+                }
+        }
+        for (std::size_t slot = 0; slot < members.size(); ++slot) {
+            const QSizeF size = wishes_[members[slot]].sizeAside;
+            places[members[slot]] = LabelPlace{
+                QRectF(QPointF(left ? edge - size.width() : edge, tops[slot]), size), leader(slot)};
+        }
+    }
+
+    const std::vector<LabelWish>& wishes_;
+    QRectF inside_;
+    const std::vector<QRectF>& taken_;
+    double left_ = 0;
+    double right_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::optional<LabelPlace>> placeLabels(const std::vector<LabelWish>& wishes,
+                                                   const QRectF& picture, std::vector<QRectF> taken) {
+    const QRectF inside = picture.adjusted(kEdge_px, kEdge_px, -kEdge_px, -kEdge_px);
+    std::vector<QRectF> busy = taken;
+    for (const LabelWish& wish : wishes) addLine(wish.line, busy);
+    std::vector<std::optional<LabelPlace>> places(wishes.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        const LabelWish& wish = wishes[i];
+        if (wish.size.isEmpty()) continue;
+        const bool room = wish.still || wish.line.length() > wish.size.width() + 12;
+        const auto box =
+            room ? choose(placesBeside(wish.line, wish.size, wish.still), inside, busy, wish.still)
+                 : std::nullopt;
+        if (!box) {
+            open.push_back(i);
+            continue;
+        }
+        places[i] = LabelPlace{*box, std::nullopt};
+        taken.push_back(*box);
+        busy.push_back(*box);
+    }
+    if (!open.empty()) Columns(wishes, inside, taken).place(open, places);
+    for (const std::size_t i : open) {
+        if (places[i] || !wishes[i].must) continue;
+        const auto box = choose(placesBeside(wishes[i].line, wishes[i].size, true), inside, busy, true);
+        if (box) places[i] = LabelPlace{*box, std::nullopt};
+    }
+    return places;
+}
+
+}  // namespace vestige
