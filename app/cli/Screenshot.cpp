@@ -44,7 +44,8 @@ int runWindow(Session& session, const Options& options) {
     const auto [width, height] = *sizeFromText(options.size);
     const OffscreenApplication application;
     const Status drawn = drawWindow({options.inputs, options.out, *namedViewFromName(options.view),
-                                     *overlayFromName(options.overlay), options.actions, width, height});
+                                     *overlayFromName(options.overlay), options.actions,
+                                     *themeFromName(options.theme), width, height});
     if (!drawn) return session.failed(drawn.error());
     session.print(options.out + ": the window, " + options.size + " pixels");
     session.printJson({{"path", options.out},

@@ -49,6 +49,7 @@ Status trigger(MainWindow& window, const std::vector<std::string>& ids) {
 Status drawWindow(const WindowPicture& wanted) {
     MainWindow window(offscreenSurface(), offscreenRenderer(), std::make_unique<PdfPrinter>(), nullptr,
                       std::make_unique<InlineJobRunner>());
+    window.setTheme(wanted.theme);
     // A picture has the size that was asked for, even below what is comfortable to work in.
     window.setMinimumSize(1, 1);
     window.resize(wanted.width_px, wanted.height_px);

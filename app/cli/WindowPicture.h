@@ -15,6 +15,7 @@ struct WindowPicture {
     NamedView view = NamedView::perspective;
     Overlay overlay = Overlay::none;
     std::vector<std::string> actions;  ///< ids of the window's actions, triggered in this order
+    Theme theme = Theme::dark;
     int width_px = 1400;
     int height_px = 900;
 };

@@ -99,6 +99,7 @@ class Planner {
     void add(const std::string& name, ReportPicture::Kind kind, const std::string& subject,
              const std::string& caption, ViewDescription view) {
         view.title = caption;
+        view.theme = Theme::light;  // they are printed
         const bool whole = kind == ReportPicture::Kind::overview;
         view.camera.width_px = whole ? kWidth : kHalfWidth;
         view.camera.height_px = whole ? kHeight : kHalfHeight;

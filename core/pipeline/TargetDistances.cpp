@@ -6,16 +6,25 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "core/base/Parallel.h"
 
 namespace vestige {
 namespace {
 
-constexpr std::array<std::size_t, 6> kNeighbourCounts{8, 16, 32, 64, 128, 256};
+/// So many neighbours make a plane where their smallest spread is below this share of the middle one. Few
+/// points seem flat by chance, so they must be flatter; many reach round the bends of a car body, so they
+/// come last.
+struct Flatness {
+    std::size_t neighbours;
+    double share;
+};
+constexpr std::array<Flatness, 5> kFlat{{{12, 0.05}, {24, 0.1}, {48, 0.15}, {96, 0.2}, {192, 0.25}}};
+/// Searched at first; all of them only where these are not enough.
+constexpr std::size_t kFew = 24;
+constexpr std::size_t kFoot = 8;
 constexpr std::size_t kSamples = 512;
-/// Of the samples that make a plane with the most neighbours: as many must with fewer.
-constexpr double kShare = 0.8;
 constexpr std::size_t kGrain = 512;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
@@ -26,7 +35,8 @@ struct Plane {
     double reach2;  ///< square of how far from the middle the points lie around the foot
 };
 
-std::optional<Plane> planeThrough(const PointCloud& cloud, const std::vector<Octree::Neighbour>& found) {
+std::optional<Plane> planeThrough(const PointCloud& cloud, std::span<const Octree::Neighbour> found,
+                                  double share) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const auto& neighbour : found) middle += cloud.offsets()[neighbour.point].cast<double>();
     middle /= static_cast<double>(found.size());
@@ -37,35 +47,26 @@ std::optional<Plane> planeThrough(const PointCloud& cloud, const std::vector<Oct
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
     const Eigen::Vector3d values = solver.eigenvalues();
-    if (!(values[0] < 0.1 * values[1])) return std::nullopt;
+    if (!(values[0] < share * values[1])) return std::nullopt;
     return Plane{middle, solver.eigenvectors().col(0), 2 * values[2] / static_cast<double>(found.size() - 1)};
 }
 
-/// Round the place of the target that is nearest to `offset`: round `offset` itself, off the surface, noise
-/// would choose the points that it brought nearer.
-void neighboursOfFoot(const Octree& target, const Eigen::Vector3d& offset, std::size_t count,
-                      std::vector<Octree::Neighbour>& found) {
-    target.nearest(offset.cast<float>(), kNeighbourCounts.front(), found);
-    Eigen::Vector3f foot = Eigen::Vector3f::Zero();
-    for (const auto& neighbour : found) foot += target.cloud().offsets()[neighbour.point];
-    target.nearest(foot / static_cast<float>(found.size()), count, found);
-}
-
-/// As few as make planes of the target's surfaces in spite of its noise.
-std::size_t neighbourCount(const Octree& target) {
+/// The target's surface at the place that is nearest to `offset`. Its points are looked for round that place,
+/// not round `offset`: off the surface, noise would choose those that it brought nearer.
+std::optional<Plane> surfaceAt(const Octree& target, const Eigen::Vector3d& offset,
+                               std::vector<Octree::Neighbour>& found) {
     const PointCloud& cloud = target.cloud();
-    const std::vector<std::uint32_t> samples = target.coarse(kSamples);
-    std::array<std::size_t, kNeighbourCounts.size()> flat{};
-    std::vector<Octree::Neighbour> found;
-    for (std::size_t k = 0; k < kNeighbourCounts.size(); ++k)
-        for (const std::uint32_t sample : samples) {
-            target.nearest(cloud.offsets()[sample], kNeighbourCounts[k], found);
-            flat[k] += found.size() == kNeighbourCounts[k] && planeThrough(cloud, found);
-        }
-    const auto most = static_cast<double>(*std::max_element(flat.begin(), flat.end()));
-    for (std::size_t k = 0; k < kNeighbourCounts.size(); ++k)
-        if (static_cast<double>(flat[k]) >= kShare * most) return kNeighbourCounts[k];
-    return kNeighbourCounts.back();
+    target.nearest(offset.cast<float>(), kFoot, found);
+    Eigen::Vector3f foot = Eigen::Vector3f::Zero();
+    for (const auto& neighbour : found) foot += cloud.offsets()[neighbour.point];
+    foot /= static_cast<float>(found.size());
+    target.nearest(foot, kFew, found);
+    for (const auto& [neighbours, share] : kFlat) {
+        if (neighbours > kFew && found.size() == kFew) target.nearest(foot, kFlat.back().neighbours, found);
+        if (found.size() < neighbours) break;
+        if (const auto plane = planeThrough(cloud, std::span(found).first(neighbours), share)) return plane;
+    }
+    return std::nullopt;
 }
 
 double typicalSpacing(const Octree& target) {
@@ -132,12 +133,11 @@ std::vector<float> targetDistances(const Octree& target, const Similarity& world
                                    const PointCloud& source, const Similarity& worldFromSource,
                                    const JobControl& control) {
     std::vector<float> distances(source.size(), kNothing);
-    if (target.cloud().size() < kNeighbourCounts.front() || source.empty()) return distances;
+    if (target.cloud().size() < kFlat.front().neighbours || source.empty()) return distances;
     const PointCloud& cloud = target.cloud();
     const Similarity targetFromSource = worldFromTarget.inverse() * worldFromSource;
     const Eigen::Matrix3d worldTurn = worldFromTarget.pose.linear();
     const Eigen::Vector3d middle = middleOf(source, worldFromSource);
-    const std::size_t neighbours = neighbourCount(target);
     const double size = std::max(0.5 * typicalSpacing(target), 1e-9);
     const Cells cells(source, targetFromSource, cloud.origin(), size);
     const auto place = [&](const Cells::Member& member) -> Eigen::Vector3d {
@@ -154,8 +154,7 @@ std::vector<float> targetDistances(const Octree& target, const Similarity& world
                 const std::span members(cells.members.data() + cells.begins[cell],
                                         cells.members.data() + cells.begins[cell + 1]);
                 const Eigen::Vector3d centre = place(members[members.size() / 2]);
-                neighboursOfFoot(target, centre, neighbours, found);
-                const auto plane = planeThrough(cloud, found);
+                const auto plane = surfaceAt(target, centre, found);
                 if (!plane) continue;
                 const Eigen::Vector3d up = outward(worldFromTarget * (centre + cloud.origin()), middle);
                 const double side = (worldTurn * plane->normal).dot(up) < 0 ? -1 : 1;

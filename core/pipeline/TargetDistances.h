@@ -8,10 +8,9 @@
 namespace vestige {
 
 /// For every point of `source` its signed distance in metres to the target's surface there: to the plane
-/// through the target's nearest points, where these make one (smallest spread below a tenth of the middle
-/// one) and lie around the foot; NaN elsewhere: there is no surface of the target to compare with. How many
-/// points make a plane, 8 to 256, is chosen once, from how many the target's noise asks for. Neighbouring
-/// source points, within half the target's spacing, share one plane.
+/// through the target's points round the foot, 12 of them or, where noise hides it, up to 192; NaN where they
+/// make no plane or do not lie around the foot: there is no surface of the target to compare with.
+/// Neighbouring source points, within half the target's spacing, share one plane.
 ///
 /// Positive is above the target's surface or, where that is upright, outside: further than it from the
 /// vertical through the source's middle. Empty when cancelled. Bit-identical for any thread count.

@@ -7,6 +7,8 @@
 #include <QMenuBar>
 #include <QWidget>
 
+#include "ui/actions/Icons.h"
+
 namespace vestige {
 namespace {
 
@@ -16,16 +18,11 @@ QString withoutMnemonic(QString text) {
 
 }  // namespace
 
-QIcon icon(const QString& name) {
-    return name.isEmpty() ? QIcon() : QIcon(":/icons/" + name + ".svg");
-}
-
 ActionCatalog::ActionCatalog(QWidget* window) : QObject(window) {
     std::map<std::string, QActionGroup*> groups;
     for (const ActionSpec& spec : actionTable()) {
         auto* action = new QAction(QString::fromUtf8(spec.text), window);
         action->setObjectName(spec.id);
-        action->setIcon(icon(spec.icon));
         action->setShortcut(QKeySequence::fromString(spec.shortcut, QKeySequence::PortableText));
         action->setCheckable(spec.checkable);
         action->setStatusTip(QString::fromUtf8(spec.help));
@@ -57,6 +54,11 @@ void ActionCatalog::onToggled(const std::string& id, std::function<void(bool)> r
 
 void ActionCatalog::update(const Situation& situation) {
     for (const ActionSpec& spec : actionTable()) (*this)[spec.id].setEnabled(spec.enabled(situation));
+}
+
+void ActionCatalog::paintIcons(const QPalette& palette) {
+    for (const ActionSpec& spec : actionTable())
+        if (*spec.icon) (*this)[spec.id].setIcon(iconOn(palette, spec.icon));
 }
 
 void ActionCatalog::fill(QMenuBar& bar) const {

@@ -8,6 +8,7 @@
 class QAction;
 class QIcon;
 class QMenuBar;
+class QPalette;
 
 #include "ui/actions/ActionSpec.h"
 
@@ -29,14 +30,13 @@ class ActionCatalog : public QObject {
 
     /// Enables and disables every action.
     void update(const Situation& situation);
+    /// Draws the icons in the colours of that palette.
+    void paintIcons(const QPalette& palette);
     /// One menu per menu name of the table, in its order.
     void fill(QMenuBar& bar) const;
 
   private:
     std::map<std::string, QAction*> actions_;
 };
-
-/// A picture from resources/icons by name; empty for an empty name.
-QIcon icon(const QString& name);
 
 }  // namespace vestige

@@ -153,6 +153,9 @@ const std::vector<ActionSpec>& actionTable() {
          true, "color"},
         {"view.edl", "&View", "&Eye-dome lighting", "Shade edges so that shapes stand out.", "edl", "E",
          always, true, "", true},
+        {"view.light", "&View", "Light bac&kground",
+         "Window and pictures dark on light, for paper, projectors and bright rooms.", "", "Alt+L", always,
+         true},
         {"view.larger-points", "&View", "L&arger points", "Draw points larger.", "larger", "+", always},
         {"view.smaller-points", "&View", "&Smaller points", "Draw points smaller.", "smaller", "-", always},
 

@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QPalette>
 #include <QTextLayout>
 #include <algorithm>
 #include <cmath>
@@ -218,16 +219,20 @@ class Painter {
 
 }  // namespace
 
-ChartStyle panelChartStyle(const QFont& font) {
+ChartStyle panelChartStyle(const QFont& font, const QPalette& palette) {
     ChartStyle style;
     style.font = font;
     style.font.setPixelSize(10);
-    style.text = QColor(0xd7, 0xdd, 0xe4);
-    style.muted = QColor(0x8b, 0x96, 0xa3);
-    style.grid = QColor(0x2a, 0x32, 0x3c);
-    style.background = QColor(0x15, 0x1a, 0x20);
-    style.series = {QColor(0x3f, 0x7f, 0xf0), QColor(0x7d, 0x86, 0x90), QColor(0xf2, 0xab, 0x5c),
-                    QColor(0x76, 0xc4, 0xa0)};
+    style.text = palette.color(QPalette::Text);
+    style.muted = palette.color(QPalette::PlaceholderText);
+    style.grid = palette.color(QPalette::Mid);
+    style.background = palette.color(QPalette::Window);
+    if (style.background.lightness() > 127)
+        style.series = {QColor(0x1f, 0x5f, 0xd0), QColor(0x6b, 0x75, 0x80), QColor(0xb8, 0x5c, 0x00),
+                        QColor(0x12, 0x7a, 0x55)};
+    else
+        style.series = {QColor(0x3f, 0x7f, 0xf0), QColor(0x7d, 0x86, 0x90), QColor(0xf2, 0xab, 0x5c),
+                        QColor(0x76, 0xc4, 0xa0)};
     return style;
 }
 

@@ -8,6 +8,7 @@
 #include "core/report/Section.h"
 
 class QPainter;
+class QPalette;
 
 namespace vestige {
 
@@ -24,8 +25,8 @@ struct ChartStyle {
     bool showValues = true;
 };
 
-/// Light on the dark background of a panel.
-ChartStyle panelChartStyle(const QFont& font);
+/// On the background of a panel with that palette, dark or light.
+ChartStyle panelChartStyle(const QFont& font, const QPalette& palette);
 /// Opaque colours on white.
 ChartStyle paperChartStyle(const QFont& font, double line);
 

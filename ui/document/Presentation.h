@@ -21,11 +21,20 @@ class Presentation : public QObject {
     double pointSize_px() const { return pointSize_px_; }
     bool eyeDomeLighting() const { return eyeDomeLighting_; }
 
+    /// What window and pictures stand on.
+    Theme theme() const { return theme_; }
+
     /// Arrows for the ways to move that a registration leaves free.
     bool freeDirections() const { return freeDirections_; }
 
     void setColorMode(ColorMode mode) { set(colorMode_, mode); }
     void setOverlay(Overlay overlay) { set(overlay_, overlay); }
+    void setTheme(Theme theme) {
+        if (theme == theme_) return;
+        theme_ = theme;
+        emit themeChanged();
+        emit changed();
+    }
     void setBefore(bool before) { set(before_, before); }
     void setFreeDirections(bool on) { set(freeDirections_, on); }
     void setPointSize(double size_px) { set(pointSize_px_, std::clamp(size_px, 1.0, 12.0)); }
@@ -33,6 +42,7 @@ class Presentation : public QObject {
 
   signals:
     void changed();
+    void themeChanged();  ///< before changed()
 
   private:
     template <class T>
@@ -44,6 +54,7 @@ class Presentation : public QObject {
 
     ColorMode colorMode_ = ColorMode::source;
     Overlay overlay_ = Overlay::none;
+    Theme theme_ = Theme::dark;
     bool before_ = false;
     bool freeDirections_ = true;
     double pointSize_px_ = 2;

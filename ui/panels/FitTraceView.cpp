@@ -62,11 +62,11 @@ QRectF FitCurve::area() const {
 
 void FitCurve::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    paintFitChart(painter, area(), chart_, panelChartStyle(font()));
+    paintFitChart(painter, area(), chart_, panelChartStyle(font(), palette()));
 }
 
 void FitCurve::mousePressEvent(QMouseEvent* event) {
-    if (const auto at = iterationAt(area(), chart_, panelChartStyle(font()), event->localPos()))
+    if (const auto at = iterationAt(area(), chart_, panelChartStyle(font(), palette()), event->localPos()))
         emit wanted(*at);
 }
 

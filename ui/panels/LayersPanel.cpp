@@ -7,6 +7,7 @@
 #include "ui/document/Document.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
+#include "ui/panels/PanelColors.h"
 
 namespace vestige {
 namespace {
@@ -15,7 +16,7 @@ QString idOf(const QTreeWidgetItem* item) {
     return item ? item->data(0, Qt::UserRole).toString() : QString();
 }
 
-QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget) {
+QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget, const QColor& quiet) {
     auto* row = new QTreeWidgetItem;
     row->setText(0, QString::fromStdString(layer.name));
     row->setData(0, Qt::UserRole, QString::fromStdString(layer.id));
@@ -27,8 +28,8 @@ QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget) {
                                            : QObject::tr("hidden");
     row->setText(1, points);
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-    row->setForeground(1, QColor(0x8b, 0x96, 0xa3));
-    if (!layer.visible || !layer.data) row->setForeground(0, QColor(0x8b, 0x96, 0xa3));
+    row->setForeground(1, quiet);
+    if (!layer.visible || !layer.data) row->setForeground(0, quiet);
     row->setToolTip(0, layerSummary(layer, isTarget) + "\n" + toQt(layer.path));
     return row;
 }
@@ -77,6 +78,7 @@ LayersPanel::LayersPanel(Document& document, Selection& selection, QWidget* pare
     connect(&list_->tree(), &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
         if (!filling_) selection_.setLayer(idOf(row).toStdString());
     });
+    onPaletteChange(*this, [this] { fill(); });
     fill();
 }
 
@@ -86,7 +88,7 @@ void LayersPanel::fill() {
     tree.clear();
     const SceneState& scene = document_.state();
     for (const Layer& layer : scene.layers) {
-        auto* row = rowOf(layer, layer.id == scene.target);
+        auto* row = rowOf(layer, layer.id == scene.target, quietColor(palette()));
         tree.addTopLevelItem(row);
         if (layer.id == selection_.layer()) tree.setCurrentItem(row);
     }

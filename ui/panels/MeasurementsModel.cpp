@@ -1,7 +1,9 @@
 #include "ui/panels/MeasurementsModel.h"
 
+#include <QApplication>
 #include <QColor>
 #include <QFont>
+#include <QPalette>
 
 #include "core/base/Numbers.h"
 #include "core/measurement/MeasuredText.h"
@@ -9,14 +11,9 @@
 #include "ui/document/Document.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
+#include "ui/panels/PanelColors.h"
 
 namespace vestige {
-namespace {
-const QColor kMuted(0x8b, 0x96, 0xa3);
-const QColor kAbove(0xf2, 0xab, 0x5c);
-const QColor kBelow(0x8a, 0xb8, 0xff);
-}  // namespace
-
 MeasurementsModel::MeasurementsModel(Document& document, Selection& selection, QObject* parent)
     : QAbstractTableModel(parent), document_(document), selection_(selection) {
     connect(&document_, &Document::changed, this, [this] { follow(); });
@@ -125,9 +122,11 @@ QVariant MeasurementsModel::data(const QModelIndex& index, int role) const {
         return font;
     }
     if (role == Qt::ForegroundRole) {
-        if (excluded || (column == tape && !measurement.tape_m)) return kMuted;
-        if (column == relativeError && found && found->re) return *found->re > 0 ? kAbove : kBelow;
-        if (column != object && column != tape && !(found && found->length)) return kMuted;
+        const QPalette palette = QApplication::palette();
+        if (excluded || (column == tape && !measurement.tape_m)) return quietColor(palette);
+        if (column == relativeError && found && found->re)
+            return *found->re > 0 ? aboveColor(palette) : belowColor(palette);
+        if (column != object && column != tape && !(found && found->length)) return quietColor(palette);
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
 #include "ui/document/Selection.h"
+#include "ui/panels/PanelColors.h"
 
 namespace vestige {
 
@@ -23,6 +24,7 @@ ObjectsPanel::ObjectsPanel(Document& document, Selection& selection, QWidget* pa
         QMetaObject::invokeMethod(
             this, [this, object] { selection_.setObject(object); }, Qt::QueuedConnection);
     });
+    onPaletteChange(*this, [this] { fill(); });
     fill();
 }
 
@@ -36,7 +38,7 @@ void ObjectsPanel::fill() {
         row->setText(0, QString::fromStdString(measurement.object));
         row->setText(1, picks > 3 ? QString::number(picks) : tr("%1 of 3").arg(picks));
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        row->setForeground(1, picks >= 3 ? QColor(0x8f, 0xd9, 0xae) : QColor(0x8b, 0x96, 0xa3));
+        row->setForeground(1, picks >= 3 ? goodColor(palette()) : quietColor(palette()));
         row->setToolTip(0, row->text(0));
         tree.addTopLevelItem(row);
         if (measurement.object == selection_.object()) tree.setCurrentItem(row);

@@ -18,7 +18,7 @@ void ReChartView::setChart(BarChart chart) {
 void ReChartView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    ChartStyle style = panelChartStyle(font());
+    ChartStyle style = panelChartStyle(font(), palette());
     style.showCategories = false;
     style.showValues = false;
     paintReChart(painter, QRectF(rect()).adjusted(12, 4, -12, -4), chart_, style);

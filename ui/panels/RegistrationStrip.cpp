@@ -9,6 +9,7 @@
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
 #include "ui/panels/FiguresRow.h"
+#include "ui/panels/PanelColors.h"
 #include "ui/panels/VerdictBadge.h"
 
 namespace vestige {
@@ -62,6 +63,7 @@ RegistrationStrip::RegistrationStrip(Document& document, Selection& selection, A
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&selection_, &Selection::changed, this, [this] { fill(); });
     connect(&attempts_, &Attempts::changed, this, [this] { fill(); });
+    onPaletteChange(*this, [this] { fill(); });
     fill();
 }
 
@@ -75,9 +77,10 @@ void RegistrationStrip::fill() {
     const RegistrationResult& result = *fit.result;
     const Layer* target = scene.layer(scene.target);
     const QString onto = target ? QString::fromStdString(target->name) : QString();
-    picture_->setPixmap(verdictPicture(result.verdict, 20, devicePixelRatioF()));
+    picture_->setPixmap(verdictPicture(result.verdict, 20, *this));
     figures_->setFigures(
-        {{verdictWord(result.verdict), QString::fromStdString(fit.layer->name), verdictColor(result.verdict)},
+        {{verdictWord(result.verdict), QString::fromStdString(fit.layer->name),
+          verdictColor(result.verdict, palette())},
          {QString::fromStdString(fixedText(100 * result.overlap, 0)) + " %", tr("overlap"), {}},
          {distanceText(result.rmse_m), tr("RMS distance"), {}},
          {motionText(result), tr("moved"), {}},

@@ -27,7 +27,7 @@ void ResidualView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintHistogram(painter, QRectF(rect()).adjusted(12, 2, -12, -2),
                    {residuals_.counts, 1000 * residuals_.width_m, "mm", residuals_.outside},
-                   panelChartStyle(font()));
+                   panelChartStyle(font(), palette()));
 }
 
 }  // namespace vestige

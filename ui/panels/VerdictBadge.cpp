@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QPainter>
 
+#include "ui/panels/PanelColors.h"
+
 namespace vestige {
 
 QString verdictWord(Verdict verdict) {
@@ -34,21 +36,23 @@ QString verdictSentence(Verdict verdict) {
     return {};
 }
 
-QColor verdictColor(Verdict verdict) {
+QColor verdictColor(Verdict verdict, const QPalette& palette) {
+    const bool light = isLight(palette);
     switch (verdict) {
         case Verdict::accepted:
-            return {0x76, 0xc4, 0xa0};
+            return light ? QColor(0x1b, 0x70, 0x45) : QColor(0x76, 0xc4, 0xa0);
         case Verdict::doubtful:
-            return {0xf2, 0xab, 0x5c};
+            return light ? QColor(0xa8, 0x54, 0x00) : QColor(0xf2, 0xab, 0x5c);
         case Verdict::failed:
-            return {0xf0, 0x7a, 0x68};
+            return light ? QColor(0xb8, 0x32, 0x20) : QColor(0xf0, 0x7a, 0x68);
         case Verdict::ambiguous:
-            return {0xc0, 0x9c, 0xf5};
+            return light ? QColor(0x6b, 0x3f, 0xb8) : QColor(0xc0, 0x9c, 0xf5);
     }
     return {};
 }
 
-QPixmap verdictPicture(Verdict verdict, int side_px, double devicePixelRatio) {
+QPixmap verdictPicture(Verdict verdict, int side_px, const QWidget& on) {
+    const double devicePixelRatio = on.devicePixelRatioF();
     QPixmap picture(QSize(side_px, side_px) * devicePixelRatio);
     picture.setDevicePixelRatio(devicePixelRatio);
     picture.fill(Qt::transparent);
@@ -56,8 +60,8 @@ QPixmap verdictPicture(Verdict verdict, int side_px, double devicePixelRatio) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(side_px / 24.0, side_px / 24.0);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(verdictColor(verdict));
-    const QPen ink(QColor(0x10, 0x14, 0x1a), 2.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    painter.setBrush(verdictColor(verdict, on.palette()));
+    const QPen ink(on.palette().color(QPalette::Base), 2.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     const auto polygon = [](std::initializer_list<QPointF> points) {
         return QPolygonF(QVector<QPointF>(points));
     };
@@ -108,11 +112,15 @@ VerdictBadge::VerdictBadge(QWidget* parent)
     words->addWidget(word_);
     words->addWidget(sentence_);
     row->addLayout(words, 1);
+    onPaletteChange(*this, [this] {
+        if (verdict_) setVerdict(*verdict_);
+    });
 }
 
 void VerdictBadge::setVerdict(Verdict verdict) {
-    color_ = verdictColor(verdict);
-    picture_->setPixmap(verdictPicture(verdict, 24, devicePixelRatioF()));
+    verdict_ = verdict;
+    color_ = verdictColor(verdict, palette());
+    picture_->setPixmap(verdictPicture(verdict, 24, *this));
     word_->setText(verdictWord(verdict));
     word_->setStyleSheet("color: " + color_.name());
     sentence_->setText(verdictSentence(verdict));

@@ -2,6 +2,7 @@
 
 #include <QPixmap>
 #include <QWidget>
+#include <optional>
 
 #include "core/registration/RegistrationQuality.h"
 
@@ -13,9 +14,9 @@ namespace vestige {
 QString verdictWord(Verdict verdict);
 /// What it means for the layer, one sentence.
 QString verdictSentence(Verdict verdict);
-QColor verdictColor(Verdict verdict);
+QColor verdictColor(Verdict verdict, const QPalette& palette);
 /// Tick in a disc, exclamation mark in a triangle, cross in a square, question mark in a diamond.
-QPixmap verdictPicture(Verdict verdict, int side_px, double devicePixelRatio);
+QPixmap verdictPicture(Verdict verdict, int side_px, const QWidget& on);
 
 /// Picture and word in one line, the sentence below.
 class VerdictBadge : public QWidget {
@@ -33,6 +34,7 @@ class VerdictBadge : public QWidget {
     QLabel* word_;
     QLabel* sentence_;
     QColor color_;
+    std::optional<Verdict> verdict_;
 };
 
 }  // namespace vestige

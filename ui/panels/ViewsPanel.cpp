@@ -5,6 +5,7 @@
 #include <QTreeWidget>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/panels/PanelColors.h"
 
 namespace vestige {
 
@@ -18,11 +19,16 @@ ViewsPanel::ViewsPanel(const ActionCatalog& actions, QWidget* parent) : PanelSec
         row->setText(0, action.text().remove('&'));
         row->setText(1, action.shortcut().toString(QKeySequence::NativeText));
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        row->setForeground(1, QColor(0x8b, 0x96, 0xa3));
         row->setData(0, Qt::UserRole, QString(id));
         row->setToolTip(0, action.statusTip());
         list->tree().addTopLevelItem(row);
     }
+    const auto color = [this, list] {
+        for (int i = 0; i < list->tree().topLevelItemCount(); ++i)
+            list->tree().topLevelItem(i)->setForeground(1, quietColor(palette()));
+    };
+    color();
+    onPaletteChange(*this, color);
     list->fit();
     setContent(list);
     connect(&list->tree(), &QTreeWidget::itemClicked, this, [&actions](QTreeWidgetItem* row) {

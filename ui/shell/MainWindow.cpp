@@ -1,6 +1,7 @@
 #include "ui/shell/MainWindow.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -104,7 +105,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
                        std::unique_ptr<DocumentPrinter> printer, QWidget* parent,
                        std::unique_ptr<JobRunner> jobs)
     : QMainWindow(parent) {
-    applyTheme();
+    applyTheme(storedTheme());
     setObjectName("main-window");
     setAcceptDrops(true);
     setMinimumSize(1260, 680);
@@ -112,6 +113,14 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     d_ = std::make_unique<Private>(*this, makeSurface, std::move(renderer), std::move(printer),
                                    std::move(jobs));
     Private& d = *d_;
+    const auto followTheme = [this] {
+        applyTheme(d_->presentation.theme());
+        d_->actions.paintIcons(QApplication::palette());
+    };
+    d.presentation.setTheme(storedTheme());
+    followTheme();
+    connect(&d.presentation, &Presentation::themeChanged, this, followTheme);
+    d.actions.onToggled("view.light", [](bool on) { storeTheme(on ? Theme::light : Theme::dark); });
 
     d.actions.fill(*menuBar());
     auto* recent = new RecentMenu(d.recent, this);
@@ -165,6 +174,10 @@ Status MainWindow::openFiles(const std::vector<std::filesystem::path>& files) {
 
 void MainWindow::open(const QStringList& paths) {
     d_->files.open(paths);
+}
+
+void MainWindow::setTheme(Theme theme) {
+    d_->presentation.setTheme(theme);
 }
 
 void MainWindow::setOverlay(Overlay overlay) {

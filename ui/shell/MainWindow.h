@@ -36,6 +36,8 @@ class MainWindow : public QMainWindow {
     /// Paths of either kind, as a command line or a drop gives them; problems are told in the window.
     void open(const QStringList& paths);
 
+    /// For this window alone; what the user switches is stored for the next one.
+    void setTheme(Theme theme);
     void setOverlay(Overlay overlay);
     void setColorMode(ColorMode mode);
     void showNamedView(NamedView view);

@@ -153,6 +153,8 @@ void ScenePresenter::place(ViewLayer& shown) const {
 
 void ScenePresenter::show(ViewDescription described) {
     described.pointSize_px = models_.presentation.pointSize_px();
+    described.title.clear();  // stands in the header of the window
+    described.theme = models_.presentation.theme();
     described.eyeDomeLighting = models_.presentation.eyeDomeLighting();
     for (ViewLayer& shown : described.layers) place(shown);
     if (models_.comparison.active()) described.comparison = models_.comparison.shown();

@@ -4,7 +4,12 @@
 #include <QFile>
 #include <QFontDatabase>
 #include <QPalette>
+#include <QSettings>
 #include <QStyleFactory>
+#include <optional>
+#include <string>
+
+#include "ui/shell/StyleColors.h"
 
 static void loadResources() {
     // Resources of a static library are linked only when asked for, outside of any namespace.
@@ -14,44 +19,60 @@ static void loadResources() {
 namespace vestige {
 namespace {
 
-QPalette darkPalette() {
-    const QColor window(0x15, 0x1a, 0x20), base(0x10, 0x14, 0x19), text(0xd7, 0xdd, 0xe4),
-        muted(0x8b, 0x96, 0xa3);
+const char* const kKey = "window/theme";
+
+QPalette paletteOf(Theme theme) {
+    const auto color = [theme](const char* name) { return styleColor(QLatin1String(name), theme); };
     QPalette palette;
-    palette.setColor(QPalette::Window, window);
-    palette.setColor(QPalette::WindowText, text);
-    palette.setColor(QPalette::Base, base);
-    palette.setColor(QPalette::AlternateBase, window);
-    palette.setColor(QPalette::Text, text);
-    palette.setColor(QPalette::Button, QColor(0x1e, 0x25, 0x2d));
-    palette.setColor(QPalette::ButtonText, text);
-    palette.setColor(QPalette::BrightText, QColor(Qt::white));
-    palette.setColor(QPalette::ToolTipBase, QColor(0x22, 0x2a, 0x33));
-    palette.setColor(QPalette::ToolTipText, text);
-    palette.setColor(QPalette::Highlight, QColor(0x25, 0x42, 0x78));
-    palette.setColor(QPalette::HighlightedText, QColor(Qt::white));
-    palette.setColor(QPalette::PlaceholderText, muted);
-    palette.setColor(QPalette::Link, QColor(0x8a, 0xb8, 0xff));
+    palette.setColor(QPalette::Window, color("window"));
+    palette.setColor(QPalette::WindowText, color("text"));
+    palette.setColor(QPalette::Base, color("well"));
+    palette.setColor(QPalette::AlternateBase, color("window"));
+    palette.setColor(QPalette::Text, color("text"));
+    palette.setColor(QPalette::Button, color("button"));
+    palette.setColor(QPalette::ButtonText, color("menu"));
+    palette.setColor(QPalette::BrightText, color("bright"));
+    palette.setColor(QPalette::Mid, color("rule"));
+    palette.setColor(QPalette::ToolTipBase, color("tip"));
+    palette.setColor(QPalette::ToolTipText, color("text"));
+    palette.setColor(QPalette::Highlight, color("chosen"));
+    palette.setColor(QPalette::HighlightedText, color("bright"));
+    palette.setColor(QPalette::PlaceholderText, color("quiet"));
+    palette.setColor(QPalette::Link, color("link"));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, QColor(0x5d, 0x67, 0x72));
+        palette.setColor(QPalette::Disabled, role, color("disabled"));
     return palette;
 }
 
-}  // namespace
-
-void applyTheme() {
-    static bool applied = false;
-    if (applied) return;
-    applied = true;
+/// What does not change with the theme.
+void prepare() {
     loadResources();
     QApplication::setStyle(QStyleFactory::create("Fusion"));
-    QApplication::setPalette(darkPalette());
     QFont font = QApplication::font();
     if (QFontDatabase().families().contains("Inter")) font.setFamily("Inter");
     font.setPixelSize(13);
     QApplication::setFont(font);
-    QFile sheet(":/style/dark.qss");
-    if (sheet.open(QIODevice::ReadOnly)) qApp->setStyleSheet(QString::fromUtf8(sheet.readAll()));
+}
+
+}  // namespace
+
+void applyTheme(Theme theme) {
+    static std::optional<Theme> applied;
+    if (applied == theme) return;
+    if (!applied) prepare();
+    applied = theme;
+    QApplication::setPalette(paletteOf(theme));
+    QFile sheet(":/style/window.qss");
+    if (sheet.open(QIODevice::ReadOnly))
+        qApp->setStyleSheet(withColors(QString::fromUtf8(sheet.readAll()), theme));
+}
+
+Theme storedTheme() {
+    return themeFromName(QSettings().value(kKey).toString().toStdString()).value_or(Theme::dark);
+}
+
+void storeTheme(Theme theme) {
+    QSettings().setValue(kKey, QString::fromStdString(std::string(name(theme))));
 }
 
 }  // namespace vestige

@@ -1,8 +1,14 @@
 #pragma once
 
+#include "core/pipeline/ViewRenderer.h"
+
 namespace vestige {
 
-/// Dark colours, Inter where it is installed, and the style sheet; once per program, needs the QApplication.
-void applyTheme();
+/// Style, font, palette and style sheet of the application in that theme. Cheap when it has it already.
+void applyTheme(Theme theme);
+
+/// What the user chose last; dark at first.
+Theme storedTheme();
+void storeTheme(Theme theme);
 
 }  // namespace vestige

@@ -67,7 +67,6 @@ QToolButton* compareButton(const ActionCatalog& actions) {
     button->setObjectName("compare");
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("Compare two pictures of the scene: swipe, blink, checkerboard"));
-    button->setIcon(icon("swipe"));
     button->setCheckable(true);
     auto* menu = new QMenu(button);
     const std::vector<const char*> ways{"compare.swipe", "compare.blink", "compare.checkerboard"};
@@ -78,6 +77,7 @@ QToolButton* compareButton(const ActionCatalog& actions) {
             on = on || actions[id].isChecked();
             possible = possible || actions[id].isEnabled();
         }
+        button->setIcon(actions["compare.swipe"].icon());
         button->setChecked(on);
         button->setEnabled(possible);
     };

@@ -57,6 +57,13 @@ void ViewArea::setHint(const QString& hint) {
     arrange();
 }
 
+std::vector<QRectF> ViewArea::covered() const {
+    std::vector<QRectF> places;
+    for (const QWidget* widget : {tools_, bar_, static_cast<QWidget*>(hint_)})
+        if (widget && !widget->isHidden()) places.emplace_back(widget->geometry());
+    return places;
+}
+
 void ViewArea::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrange();
@@ -86,6 +93,7 @@ void ViewArea::arrange() {
         welcome_->setGeometry(rect());
         welcome_->raise();
     }
+    emit arranged();
 }
 
 }  // namespace vestige

@@ -20,6 +20,12 @@ class ViewArea : public QWidget {
     void setWelcome(QWidget* welcome);
     void showWelcome(bool show);
     void setHint(const QString& hint);
+    /// Where something stands over the view, in its pixels.
+    std::vector<QRectF> covered() const;
+
+  signals:
+    /// What stands over the view has moved.
+    void arranged();
 
   protected:
     void resizeEvent(QResizeEvent* event) override;

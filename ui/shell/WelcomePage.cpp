@@ -18,6 +18,8 @@ QPushButton* buttonFor(QAction& action, const QString& text, const QString& role
     button->setProperty("role", role);
     button->setToolTip(action.statusTip());
     QObject::connect(button, &QPushButton::clicked, &action, &QAction::trigger);
+    QObject::connect(&action, &QAction::changed, button,
+                     [button, &action] { button->setIcon(action.icon()); });
     return button;
 }
 

@@ -77,6 +77,7 @@ QWidget* WorkArea::makeMiddle() {
     auto* column = columnIn(middle);
     auto* area = new ViewArea;
     area->setView(view_.widget());
+    connect(area, &ViewArea::arranged, &view_, [this, area] { view_.setCovered(area->covered()); });
     area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
     area->setBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
     auto* welcome = new WelcomePage(bench_.actions, bench_.recent);

@@ -56,21 +56,58 @@ std::optional<QRectF> choose(const std::vector<QRectF>& places, const QRectF& in
     return best;
 }
 
-/// The longest stretch of a column that nothing stands in.
-std::pair<double, double> freeStretch(const QRectF& column, const std::vector<QRectF>& taken) {
+/// A part of a column that nothing stands in.
+struct Stretch {
+    double from;
+    double to;
+    std::size_t holds(double pitch) const {
+        return static_cast<std::size_t>(std::max(0.0, (to - from + kBetween_px) / pitch));
+    }
+};
+
+/// From top to bottom.
+std::vector<Stretch> freeStretches(const QRectF& column, const std::vector<QRectF>& taken) {
     std::vector<std::pair<double, double>> blocked;
     for (const QRectF& other : taken)
         if (other.intersects(column))
             blocked.emplace_back(other.top() - kBetween_px, other.bottom() + kBetween_px);
     std::sort(blocked.begin(), blocked.end());
     blocked.emplace_back(column.bottom(), column.bottom());
-    std::pair<double, double> longest{column.top(), column.top()};
+    std::vector<Stretch> free;
     double from = column.top();
     for (const auto& [top, bottom] : blocked) {
-        if (top - from > longest.second - longest.first) longest = {from, top};
+        if (top > from) free.push_back({from, top});
         from = std::max(from, bottom);
     }
-    return longest;
+    return free;
+}
+
+/// How many of the labels, sorted by where they want to be, go into each stretch: each to the nearest one
+/// that leaves room for those after it.
+std::vector<std::size_t> shared(const std::vector<double>& wished, const std::vector<Stretch>& stretches,
+                                double pitch) {
+    std::vector<std::size_t> counts(stretches.size());
+    std::size_t later = 0;
+    for (const Stretch& stretch : stretches) later += stretch.holds(pitch);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+        const std::size_t room = stretches[k].holds(pitch);
+        later -= room;
+        while (next < wished.size() && counts[k] < room) {
+            const auto away = [&](const Stretch& stretch) {
+                return std::max({0.0, stretch.from - wished[next], wished[next] + pitch - stretch.to});
+            };
+            const bool nearerLater =
+                std::any_of(stretches.begin() + static_cast<std::ptrdiff_t>(k) + 1, stretches.end(),
+                            [&](const Stretch& other) {
+                                return other.holds(pitch) > 0 && away(other) < away(stretches[k]);
+                            });
+            if (nearerLater && wished.size() - next <= later) break;
+            ++counts[k];
+            ++next;
+        }
+    }
+    return counts;
 }
 
 /// Tops of labels one below the other, as near to the wished ones (ascending) as can be, within the stretch:
@@ -160,9 +197,10 @@ class Columns {
         const double edge = left ? std::max(left_, std::min(inside_.left() + width, inside_.right()))
                                  : std::min(right_, std::max(inside_.right() - width, inside_.left()));
         const QRectF column(left ? edge - width : edge, inside_.top(), width, inside_.height());
-        const auto [from, to] = freeStretch(column, taken_);
         const double pitch = height + kBetween_px;
-        const auto most = static_cast<std::size_t>(std::max(0.0, (to - from + kBetween_px) / pitch));
+        const std::vector<Stretch> stretches = freeStretches(column, taken_);
+        std::size_t most = 0;
+        for (const Stretch& stretch : stretches) most += stretch.holds(pitch);
         if (members.size() > most) {
             std::sort(members.begin(), members.end());
             members.resize(most);
@@ -172,9 +210,26 @@ class Columns {
         });
         std::vector<double> wished;
         for (const std::size_t i : members) wished.push_back(middle(i).y() - 0.5 * height);
-        const std::vector<double> tops = stacked(wished, pitch, from, to + kBetween_px);
+        std::vector<double> tops;
+        const std::vector<std::size_t> counts = shared(wished, stretches, pitch);
+        for (std::size_t k = 0; k < stretches.size(); ++k) {
+            const auto first = wished.begin() + static_cast<std::ptrdiff_t>(tops.size());
+            const std::vector<double> part(first, first + static_cast<std::ptrdiff_t>(counts[k]));
+            for (const double top : stacked(part, pitch, stretches[k].from, stretches[k].to + kBetween_px))
+                tops.push_back(top);
+        }
+        const auto box = [&](std::size_t slot) {
+            const QSizeF size = wishes_[members[slot]].sizeAside;
+            return QRectF(QPointF(left ? edge - size.width() : edge, tops[slot]), size);
+        };
+        // From the side that looks at the line; from above or below where a column has no room beside it.
         const auto leader = [&](std::size_t slot) {
-            return QLineF(QPointF(edge, tops[slot] + 0.5 * height), middle(members[slot]));
+            const QRectF from = box(slot);
+            const QPointF to = middle(members[slot]);
+            const bool beside = left ? to.x() >= from.right() : to.x() <= from.left();
+            if (beside) return QLineF(QPointF(edge, from.center().y()), to);
+            const double x = std::clamp(to.x(), from.left() + 8, from.right() - 8);
+            return QLineF(QPointF(x, to.y() < from.top() ? from.top() : from.bottom()), to);
         };
         // Exchanging two that cross makes both together shorter, so this ends.
         for (bool crossed = true; crossed;) {
@@ -191,9 +246,7 @@ class Columns {
                 }
         }
         for (std::size_t slot = 0; slot < members.size(); ++slot) {
-            const QSizeF size = wishes_[members[slot]].sizeAside;
-            places[members[slot]] = LabelPlace{
-                QRectF(QPointF(left ? edge - size.width() : edge, tops[slot]), size), leader(slot)};
+            places[members[slot]] = LabelPlace{box(slot), leader(slot)};
         }
     }
 
@@ -228,7 +281,7 @@ std::vector<std::optional<LabelPlace>> placeLabels(const std::vector<LabelWish>&
         taken.push_back(*box);
         busy.push_back(*box);
     }
-    if (!open.empty()) Columns(wishes, inside, taken).place(open, places);
+    if (!open.empty()) Columns(wishes, inside, busy).place(open, places);
     for (const std::size_t i : open) {
         if (places[i] || !wishes[i].must) continue;
         const auto box = choose(placesBeside(wishes[i].line, wishes[i].size, true), inside, busy, true);

@@ -1,6 +1,7 @@
 #include "ui/view/Overlay.h"
 
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/view/Arrows.h"
 #include "ui/view/Legend.h"
@@ -36,10 +37,15 @@ void paintOverlay(QPainter& painter, const OverlayContent& content) {
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     const QRectF picture(0, 0, content.camera.width_px, content.camera.height_px);
     const QRectF inside = picture.adjusted(kMargin, kMargin, -kMargin, -kMargin);
-    std::vector<QRectF> taken;
+    std::vector<QRectF> taken = content.covered;
     if (view.comparison) taken.push_back(paintSplit(painter, theme, picture, *view.comparison));
     if (!view.title.empty()) taken.push_back(paintTitle(painter, theme, QString::fromStdString(view.title)));
-    if (view.showLegend) taken.push_back(paintLegend(painter, theme, inside, view, content.scale));
+    if (view.showLegend) {
+        QRectF below = inside;
+        for (const QRectF& cover : content.covered)
+            if (cover.right() > inside.center().x()) below.setTop(std::max(below.top(), cover.bottom() + 10));
+        taken.push_back(paintLegend(painter, theme, below, view, content.scale));
+    }
     if (view.showScaleBar) taken.push_back(paintScaleBar(painter, theme, inside, content.camera));
     for (const ViewArrow& arrow : view.arrows)
         paintArrow(painter, theme, picture, content.camera, arrow, taken);

@@ -32,6 +32,8 @@ uniform vec2 range;        // near and far plane, m
 uniform int parallel;
 uniform float footprint;   // m a pixel covers: at depth 1 in perspective, everywhere in parallel
 uniform int eyeDome;
+uniform float shade;       // of edges
+uniform float darkest;
 uniform float faint;       // of the other picture in a tile that has nothing there
 uniform vec3 top;
 uniform vec3 bottom;
@@ -83,7 +85,7 @@ void main() {
                      + nearer(other, vec2(2.0, 2.0), here, unit) + nearer(other, vec2(-2.0, 2.0), here, unit)
                      + nearer(other, vec2(2.0, -2.0), here, unit)
                      + nearer(other, vec2(-2.0, -2.0), here, unit);
-        shown *= max(0.18, exp(-0.09 * behind));
+        shown *= max(darkest, exp(-shade * behind));
     }
     gl_FragData[0] = vec4(shown, 1.0);
 }
@@ -210,6 +212,10 @@ void PicturePass::show(const vtkRenderState& state) {
     program->SetUniformi("parallel", parallel);
     program->SetUniformf("footprint", static_cast<float>(2 * halfHeight / height_));
     program->SetUniformi("eyeDome", eyeDome_);
+    // On a light background a weaker shade tells shapes apart, and saves ink.
+    const bool light = top_.mean() > 0.5F;
+    program->SetUniformf("shade", light ? 0.05F : 0.09F);
+    program->SetUniformf("darkest", light ? 0.42F : 0.18F);
     program->SetUniformf("faint", kFaint);
     program->SetUniform3f("top", top_.data());
     program->SetUniform3f("bottom", bottom_.data());

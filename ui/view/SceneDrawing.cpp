@@ -40,6 +40,7 @@ bool byHeight(const ViewDescription& view) {
 
 /// Moved in the display frame, points keep their digits while they are this near to its origin, metres.
 constexpr double kNearOrigin_m = 1000;
+constexpr double kLeastPull_m = 0.1;  // over the noise of a target from the air
 constexpr double kMostPull_m = 0.4;
 
 Eigen::Vector3f toVector(const QColor& color) {
@@ -164,7 +165,7 @@ struct SceneDrawing::Private {
     /// before it, or one sign of the distances would be hidden.
     double pullOf(const ViewDescription& view, const ViewLayer& layer) const {
         if (view.overlay != Overlay::residual || !layer.residual_m || !scale) return 0;
-        return std::min(kMostPull_m, 2 * scale->high);
+        return std::clamp(4 * scale->high, kLeastPull_m, kMostPull_m);
     }
 
     void color(Drawn& drawn, const ViewDescription& view, std::size_t index) {

@@ -55,6 +55,7 @@ struct SceneView::Private {
     ViewTool* tool = nullptr;
     ViewTool* guard = nullptr;
     std::optional<ViewMark> pending;
+    std::vector<QRectF> covered;
     std::unique_ptr<ViewMouse> mouse;
 
     QTimer frameTimer;  // the next frame, as soon as events are handled
@@ -74,7 +75,7 @@ struct SceneView::Private {
     }
 
     void paintOver(QPainter& painter) {
-        paintOverlay(painter, {description, camera, drawing->scale(), pending});
+        paintOverlay(painter, {description, camera, drawing->scale(), pending, covered});
     }
 
     /// Draws the next step of the picture: the first points, or some more. `all` leaves nothing out.
@@ -227,6 +228,11 @@ void SceneView::setComparison(const ViewComparison& comparison) {
 
 void SceneView::setPendingMark(std::optional<ViewMark> mark) {
     d_->pending = std::move(mark);
+    d_->overlay->update();
+}
+
+void SceneView::setCovered(std::vector<QRectF> covered) {
+    d_->covered = std::move(covered);
     d_->overlay->update();
 }
 

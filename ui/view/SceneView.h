@@ -54,6 +54,9 @@ class SceneView : public QObject {
     /// A pair in the making: the first end and the point under the cursor; nothing hides it.
     void setPendingMark(std::optional<ViewMark> mark);
 
+    /// What stands over the view (tool bars), in its pixels: legend and labels keep clear of it.
+    void setCovered(std::vector<QRectF> covered);
+
     /// Draws at once what is still missing of a picture that is built up step by step.
     void completePicture();
     /// The complete picture, without the window round it. Null before the widget is shown.

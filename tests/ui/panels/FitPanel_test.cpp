@@ -99,10 +99,11 @@ TEST(FitPanel, SaysVerdictReasonsAndQualityInWords) {
 TEST(FitPanel, VerdictsDifferInWordAndShapeNotInColourAlone) {
     std::set<QString> words;
     std::vector<QImage> shapes;
+    const QWidget on;
     for (const Verdict verdict :
          {Verdict::accepted, Verdict::doubtful, Verdict::failed, Verdict::ambiguous}) {
         words.insert(verdictWord(verdict));
-        shapes.push_back(verdictPicture(verdict, 24, 1).toImage().convertToFormat(QImage::Format_Alpha8));
+        shapes.push_back(verdictPicture(verdict, 24, on).toImage().convertToFormat(QImage::Format_Alpha8));
     }
     EXPECT_EQ(words.size(), 4u);
     for (std::size_t i = 0; i < shapes.size(); ++i)

@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/scene/PickFrame.h"
@@ -192,6 +193,48 @@ TEST_F(FitWindow, ALayerThatFailedStaysAndIsPreviewed) {
     EXPECT_EQ(shown(1).worldFromLayer.pose.matrix(), stays.pose.matrix());
     EXPECT_FALSE(action("register.preview").isChecked());
     EXPECT_FALSE(driver->textOf("edit.undo").contains("register"));
+}
+
+TEST_F(FitWindow, TheSourceOfAComparisonIsWhatWasRegistered) {
+    const std::filesystem::path other = test::writeBall(folder.path());
+    startInline();
+    ASSERT_TRUE(driver->window().openFiles({other}));
+    ASSERT_TRUE(driver->settle());
+    widget<QTreeWidget>("layers").setCurrentItem(widget<QTreeWidget>("layers").topLevelItem(1));
+    ASSERT_TRUE(driver->trigger("register.run"));
+    ASSERT_TRUE(driver->scene().layer("second-scan")->registration);
+    key(Qt::Key_C);
+    ASSERT_TRUE(driver->trigger("compare.layers"));
+    EXPECT_TRUE(shown(1).visible);
+    EXPECT_FALSE(shown(2).visible) << "a layer that lies somewhere would only hide what is compared";
+    EXPECT_FALSE(shown(2).other->visible);
+}
+
+TEST_F(FitWindow, DistancesAreSignedAndTheLegendKeepsClearOfTheTools) {
+    startInline();
+    ASSERT_TRUE(driver->trigger("register.run"));
+    ASSERT_TRUE(driver->trigger("register.residual"));
+    QApplication::processEvents();
+    const auto& distances = shown(1).residual_m;
+    ASSERT_TRUE(distances);
+    const auto below = std::count_if(distances->begin(), distances->end(), [](float d) { return d < 0; });
+    const auto above = std::count_if(distances->begin(), distances->end(), [](float d) { return d > 0; });
+    EXPECT_GT(below, 100);
+    EXPECT_GT(above, 100);
+    EXPECT_TRUE(driver->window().view().description().title.empty()) << "it would lie under the tools";
+    const QImage picture = driver->window().view().grab();
+    const QRect tools = widget<QWidget>("tool-palette").geometry();
+    // The legend's bar runs from blue to orange: below the tools at the right.
+    int blue = 0;
+    int orange = 0;
+    for (int y = tools.bottom() + 1; y < picture.height() / 2; ++y)
+        for (int x = picture.width() - 250; x < picture.width(); ++x) {
+            const QColor color = picture.pixelColor(x, y);
+            blue += color.blue() > 180 && color.red() < 60;
+            orange += color.red() > 200 && color.blue() < 60;
+        }
+    EXPECT_GT(blue, 20);
+    EXPECT_GT(orange, 20);
 }
 
 TEST_F(FitWindow, PanelsHaveKeys) {

@@ -32,6 +32,7 @@ ViewReactions::ViewReactions(const Workbench& bench, QObject* parent) : QObject(
     actions.onToggled("view.edl", [&shown](bool on) { shown.setEyeDomeLighting(on); });
     actions.onTriggered("view.larger-points", [&shown] { shown.setPointSize(shown.pointSize_px() + 1); });
     actions.onTriggered("view.smaller-points", [&shown] { shown.setPointSize(shown.pointSize_px() - 1); });
+    actions.onToggled("view.light", [&shown](bool on) { shown.setTheme(on ? Theme::light : Theme::dark); });
     actions.onToggled("register.tint",
                       [&shown](bool on) { shown.setOverlay(on ? Overlay::registration : Overlay::none); });
     actions.onToggled("register.residual",
@@ -50,6 +51,7 @@ void ViewReactions::follow() {
         action.setChecked(on);
     };
     for (const ColorMode mode : kColorModes) check(colorAction(mode), shown.colorMode() == mode);
+    check("view.light", shown.theme() == Theme::light);
     check("view.edl", shown.eyeDomeLighting());
     check("register.tint", shown.overlay() == Overlay::registration);
     check("register.residual", shown.overlay() == Overlay::residual);
