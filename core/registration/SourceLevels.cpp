@@ -1,5 +1,7 @@
 #include "core/registration/SourceLevels.h"
 
+#include <algorithm>
+
 namespace vestige {
 namespace {
 
@@ -15,17 +17,17 @@ std::vector<Eigen::Vector3f> means(const std::vector<CellMoments>& cells) {
 }  // namespace
 
 SourceLevels::SourceLevels(const RegistrationFrame& frame, double leaf, double largest)
-    : frame_(frame), leaf_(leaf), finest_(gatherPoints(frame.source(), VoxelGrid(leaf))) {
+    : frame_(frame), leaf_(leaf), stages_(frame.source(), leaf, largest) {
     const auto points = static_cast<double>(frame.source().size());
-    while (kPointsPerVoxel * static_cast<double>(finest_.size()) > points &&
-           2 * leaf_ <= largest * (1 + 1e-9)) {
+    while (2 * leaf_ <= largest * (1 + 1e-9) &&
+           kPointsPerVoxel * static_cast<double>(stages_.stage(VoxelGrid(leaf_))->size()) > points)
         leaf_ *= 2;
-        finest_ = gatherCells(finest_, VoxelGrid(leaf_));
-    }
 }
 
 CentredSource SourceLevels::at(double size) const {
-    return frame_.centred(size > leaf_ ? means(gatherCells(finest_, VoxelGrid(size))) : means(finest_));
+    const VoxelGrid grid(std::max(size, leaf_));
+    const std::vector<CellMoments>* const stage = stages_.stage(grid);
+    return frame_.centred(means(stage != nullptr ? *stage : stages_.at(grid)));
 }
 
 }  // namespace vestige

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/registration/RegistrationFrame.h"
-#include "core/registration/ndt/CellMoments.h"
+#include "core/registration/ndt/MomentPyramid.h"
 
 namespace vestige {
 
@@ -21,7 +21,7 @@ class SourceLevels {
   private:
     const RegistrationFrame& frame_;
     double leaf_;
-    std::vector<CellMoments> finest_;
+    MomentPyramid stages_;
 };
 
 }  // namespace vestige

@@ -75,94 +75,105 @@ struct CellInput {
             keys[i] = grid.key(cells[i].mean[0], cells[i].mean[1], cells[i].mean[2]);
     }
     void addTo(Sums& sums, const VoxelGrid& grid, std::span<const std::uint32_t> items) const {
-        const double cx = grid.centreX(sums.key), cy = grid.centreY(sums.key), cz = grid.centreZ(sums.key);
-        for (const std::uint32_t i : items) {
-            const CellMoments& cell = cells[i];
-            const double n = cell.count;
-            const double x = cell.mean[0] - cx, y = cell.mean[1] - cy, z = cell.mean[2] - cz;
-            const double add[4] = {n * x, n * y, n * z, n};
-            const double addSecond[4] = {cell.scatter[0] + n * x * x, cell.scatter[1] + n * x * y,
-                                         cell.scatter[2] + n * x * z, cell.scatter[3] + n * y * y};
-            for (std::size_t k = 0; k < 4; ++k) {
-                sums.first[k] += add[k];
-                sums.second[k] += addSecond[k];
-            }
-            sums.rest[0] += cell.scatter[4] + n * y * z;
-            sums.rest[1] += cell.scatter[5] + n * z * z;
+        for (const std::uint32_t i : items) add(sums, cells[i], grid);
+    }
+    static void add(Sums& sums, const CellMoments& cell, const VoxelGrid& grid) {
+        const double n = cell.count;
+        const double x = cell.mean[0] - grid.centreX(sums.key), y = cell.mean[1] - grid.centreY(sums.key),
+                     z = cell.mean[2] - grid.centreZ(sums.key);
+        const double add[4] = {n * x, n * y, n * z, n};
+        const double addSecond[4] = {cell.scatter[0] + n * x * x, cell.scatter[1] + n * x * y,
+                                     cell.scatter[2] + n * x * z, cell.scatter[3] + n * y * y};
+        for (std::size_t k = 0; k < 4; ++k) {
+            sums.first[k] += add[k];
+            sums.second[k] += addSecond[k];
         }
+        sums.rest[0] += cell.scatter[4] + n * y * z;
+        sums.rest[1] += cell.scatter[5] + n * z * z;
     }
 };
 
 CellMoments finished(const Sums& sums, const VoxelGrid& grid) {
-    const auto& [x, y, z, n] = sums.first;
-    const auto toFloat = [](double value) { return static_cast<float>(value); };
-    return {sums.key,
-            static_cast<std::uint32_t>(n),
-            {toFloat(grid.centreX(sums.key) + x / n), toFloat(grid.centreY(sums.key) + y / n),
-             toFloat(grid.centreZ(sums.key) + z / n)},
-            {toFloat(sums.second[0] - x * x / n), toFloat(sums.second[1] - x * y / n),
-             toFloat(sums.second[2] - x * z / n), toFloat(sums.second[3] - y * y / n),
-             toFloat(sums.rest[0] - y * z / n), toFloat(sums.rest[1] - z * z / n)}};
+    const __m256d first = _mm256_load_pd(sums.first.data());
+    const double n = sums.first[3];
+    const __m256d mean = _mm256_mul_pd(first, _mm256_set1_pd(1 / n));
+    const __m256d centre =
+        _mm256_setr_pd(grid.centreX(sums.key), grid.centreY(sums.key), grid.centreZ(sums.key), 0);
+    // As in PointInput::addTo: xx xy xz yy, then yz zz.
+    const __m256d second = _mm256_sub_pd(_mm256_load_pd(sums.second.data()),
+                                         _mm256_mul_pd(_mm256_permute4x64_pd(mean, 0b01'00'00'00),
+                                                       _mm256_permute4x64_pd(first, 0b01'10'01'00)));
+    const double z = sums.first[2] / n;
+    CellMoments cell;
+    cell.key = sums.key;
+    cell.count = static_cast<std::uint32_t>(n);
+    alignas(16) std::array<float, 4> four;
+    _mm_store_ps(four.data(), _mm256_cvtpd_ps(_mm256_add_pd(centre, mean)));
+    cell.mean = {four[0], four[1], four[2]};
+    _mm_store_ps(four.data(), _mm256_cvtpd_ps(second));
+    cell.scatter = {four[0],
+                    four[1],
+                    four[2],
+                    four[3],
+                    static_cast<float>(sums.rest[0] - sums.first[1] * z),
+                    static_cast<float>(sums.rest[1] - sums.first[2] * z)};
+    return cell;
 }
 
-/// Open addressing from key to the place in a growing list.
+/// Open addressing from key to the place in a growing list of at most `most` keys.
 class KeyIndex {
   public:
-    explicit KeyIndex(std::size_t expected)
-        : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), Slot{}) {}
-    std::uint32_t placeOf(std::uint64_t key, std::vector<Sums>& sums) {
-        if (2 * (sums.size() + 1) > slots_.size()) grow();
-        Slot& slot = slotOf(key);
-        if (slot.key != key) {
-            slot = {key, static_cast<std::uint32_t>(sums.size())};
-            sums.emplace_back().key = key;
-        }
-        return slot.place;
+    explicit KeyIndex(std::size_t most) : slots_(std::bit_ceil(2 * most + 2), 0), mask_(slots_.size() - 1) {}
+    std::uint32_t placeOf(std::uint64_t key) {
+        std::size_t slot = VoxelGrid::hash(key) & mask_;
+        for (; slots_[slot] != 0; slot = (slot + 1) & mask_)
+            if (keys_[slots_[slot] - 1] == key) return slots_[slot] - 1;
+        keys_.push_back(key);
+        slots_[slot] = static_cast<std::uint32_t>(keys_.size());
+        return slots_[slot] - 1;
     }
+    const std::vector<std::uint64_t>& keys() const { return keys_; }
 
   private:
-    struct Slot {
-        std::uint64_t key = VoxelGrid::kNoKey;
-        std::uint32_t place = 0;
-    };
-    Slot& slotOf(std::uint64_t key) {
-        std::size_t slot = VoxelGrid::hash(key) & (slots_.size() - 1);
-        while (slots_[slot].key != key && slots_[slot].key != VoxelGrid::kNoKey)
-            slot = (slot + 1) & (slots_.size() - 1);
-        return slots_[slot];
-    }
-    void grow() {
-        std::vector<Slot> old(2 * slots_.size(), Slot{});
-        old.swap(slots_);
-        for (const Slot& one : old)
-            if (one.key != VoxelGrid::kNoKey) slotOf(one.key) = one;
-    }
-    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> slots_;  // place + 1; 0: free
+    std::vector<std::uint64_t> keys_;
+    std::size_t mask_;
+};
+
+/// A stretch of items in one cell.
+struct Run {
+    std::uint32_t place;
+    std::uint32_t end;
 };
 
 /// The cells of some items, in the order of their first item.
-template <class Input>
+template <class Input, class KeyAt>
 std::vector<CellMoments> gatherBucket(const Input& input, const VoxelGrid& grid,
-                                      std::span<const std::uint32_t> items,
-                                      const std::vector<std::uint64_t>& keys) {
-    std::vector<Sums> sums;
-    sums.reserve(items.size() / 8 + 16);
-    KeyIndex index(std::min<std::size_t>(items.size(), 4096));
+                                      std::span<const std::uint32_t> items, const KeyAt& keyAt) {
+    KeyIndex index(items.size());
+    std::vector<Run> runs;
+    runs.reserve(items.size());
     // Neighbours in a scan mostly share their cell.
-    for (std::size_t from = 0, to = 0; from < items.size(); from = to) {
-        const std::uint64_t key = keys[items[from]];
-        while (to < items.size() && keys[items[to]] == key) ++to;
-        input.addTo(sums[index.placeOf(key, sums)], grid, items.subspan(from, to - from));
+    for (std::uint32_t from = 0, to = 0; from < items.size(); from = to) {
+        const std::uint64_t key = keyAt(items[from]);
+        while (to < items.size() && keyAt(items[to]) == key) ++to;
+        runs.push_back({index.placeOf(key), to});
     }
-    std::vector<CellMoments> cells;
-    cells.reserve(sums.size());
-    for (const Sums& one : sums) cells.push_back(finished(one, grid));
+    std::vector<Sums> sums(index.keys().size());
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i].key = index.keys()[i];
+    std::uint32_t begin = 0;
+    for (const Run& run : runs) {
+        input.addTo(sums[run.place], grid, items.subspan(begin, run.end - begin));
+        begin = run.end;
+    }
+    std::vector<CellMoments> cells(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) cells[i] = finished(sums[i], grid);
     return cells;
 }
 
 /// Items are first sorted (counting sort, stable) into buckets by the block of space that holds their cell;
-/// then each bucket is gathered on its own, in the items' order, so threads do not change the sums, and cells
-/// near each other in space are near in memory.
+/// then each bucket is gathered on its own, in the items' order, so threads do not change the sums. Cells of
+/// a block, and of each smaller cube of 2^n cells, stand together.
 template <class Input>
 std::vector<CellMoments> gather(const Input& input, const VoxelGrid& grid) {
     const std::size_t count = input.size();
@@ -198,7 +209,7 @@ std::vector<CellMoments> gather(const Input& input, const VoxelGrid& grid) {
         for (std::size_t bucket = begin; bucket < end; ++bucket)
             parts[bucket] = gatherBucket(
                 input, grid, std::span(items).subspan(begins[bucket], begins[bucket + 1] - begins[bucket]),
-                keys);
+                [&](std::uint32_t item) { return keys[item]; });
     });
     if (buckets == 1) return std::move(parts.front());
     std::size_t found = 0;
@@ -207,6 +218,19 @@ std::vector<CellMoments> gather(const Input& input, const VoxelGrid& grid) {
     cells.reserve(found);
     for (const auto& part : parts) cells.insert(cells.end(), part.begin(), part.end());
     return cells;
+}
+
+/// The cells of a grid of twice the size, both without shift, in the order of their first part.
+std::vector<CellMoments> gatherOctets(std::span<const CellMoments> cells, const VoxelGrid& grid) {
+    KeyIndex index(cells.size());
+    std::vector<std::uint32_t> places(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) places[i] = index.placeOf(VoxelGrid::parent(cells[i].key));
+    std::vector<Sums> sums(index.keys().size());
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i].key = index.keys()[i];
+    for (std::size_t i = 0; i < cells.size(); ++i) CellInput::add(sums[places[i]], cells[i], grid);
+    std::vector<CellMoments> octets(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) octets[i] = finished(sums[i], grid);
+    return octets;
 }
 
 }  // namespace
@@ -226,33 +250,12 @@ std::vector<CellMoments> gatherCells(std::span<const CellMoments> cells, const V
     return gather(CellInput{cells}, grid);
 }
 
-MomentPyramid::MomentPyramid(std::span<const Eigen::Vector3f> points, double finest, double coarsest)
-    : baseSize_(finest) {
-    stages_.push_back(gatherPoints(points, VoxelGrid(baseSize_)));
-    for (double size = 2 * baseSize_; size <= coarsest * (1 + 1e-9); size *= 2)
-        stages_.push_back(gatherCells(stages_.back(), VoxelGrid(size)));
-}
-
-const std::vector<CellMoments>& MomentPyramid::finerThan(double size) const {
-    std::size_t stage = 0;
-    while (stage + 1 < stages_.size() && std::ldexp(baseSize_, static_cast<int>(stage) + 1) <= size) ++stage;
-    return stages_[stage];
-}
-
-const std::vector<CellMoments>* MomentPyramid::stage(const VoxelGrid& grid) const {
-    if (grid.shift() != 0) return nullptr;
-    const std::vector<CellMoments>& nearest = finerThan(grid.size() * (1 + 1e-9));
-    const auto level = static_cast<int>(&nearest - stages_.data());
-    return std::abs(std::ldexp(baseSize_, level) - grid.size()) <= 1e-9 * grid.size() ? &nearest : nullptr;
-}
-
-std::vector<CellMoments> MomentPyramid::at(const VoxelGrid& grid) const {
-    const std::vector<CellMoments>* const same = stage(grid);
-    if (same != nullptr) return *same;
-    // Shifted by half a cell, stages still nest.
-    const VoxelGrid half(grid.size() / 2);
-    const std::vector<CellMoments>* const nested = grid.shift() == half.size() ? stage(half) : nullptr;
-    return gatherCells(nested != nullptr ? *nested : finerThan(grid.size() / 4), grid);
+std::vector<std::vector<CellMoments>> gatherStages(std::span<const Eigen::Vector3f> points, double size,
+                                                   double coarsest) {
+    std::vector<std::vector<CellMoments>> stages{gatherPoints(points, VoxelGrid(size))};
+    for (; 2 * size <= coarsest * (1 + 1e-9); size *= 2)
+        stages.push_back(gatherOctets(stages.back(), VoxelGrid(2 * size)));
+    return stages;
 }
 
 }  // namespace vestige

@@ -19,6 +19,9 @@ constexpr double kSourcePerVoxel = 1.0 / 8;
 constexpr double kLargestLeaf = 1.0 / 8;
 /// Before the last level a pose is good enough when the next step is shorter than this share of the voxel.
 constexpr double kStepPerVoxel = 1.0 / 1000;
+/// In the last one steps that are short against the distance that the scans lie apart only chase points over
+/// the faces of cells.
+constexpr double kStepPerDistance = 1.0 / 100;
 constexpr double kFirstBound = 1.0 / 4;
 /// The first pass over surfaces: its smallest cell against v_n, its least thickness against the whole cells.
 constexpr double kMiddle = 4;
@@ -57,10 +60,14 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
     };
     if (control.cancelled()) return fail(cancelledError());
     CentredSource source;
+    double leastStep = 0;
     const auto level = [&](const NdtScore& score, double voxel, bool last) {
+        TrustRegionOptions limits = limitsOf(options, voxel, last);
+        limits.stepLimit_m = std::max(limits.stepLimit_m, leastStep);
+        NdtScore::Memory memory;
         descent->record(
-            minimise([&](const Pose& pose) { return score(pose); }, descent->local(source), source.radius,
-                     limitsOf(options, voxel, last), descent->observer(source, voxel)),
+            minimise([&](const Pose& pose) { return score(pose, &memory); }, descent->local(source),
+                     source.radius, limits, descent->observer(source, voxel)),
             source, voxel);
     };
     const auto descend = [&]() -> Status {
@@ -108,6 +115,7 @@ Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Sim
         level(NdtScore(surfaces, source), middle, false);
         const std::vector<float> distances = surfaceDistances(surfaces, source, descent->local(source));
         const double deviation = typicalDistance(distances);
+        leastStep = kStepPerDistance * deviation;
         surfaces = levels.surfaces(deviation, smallest);
         const auto shifted = levels.shiftedSurfaces(deviation);
         level(NdtScore(surfaces, source, shifted), smallest, true);

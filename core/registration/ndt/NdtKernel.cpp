@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "core/registration/ndt/Lanes.h"
@@ -47,20 +48,62 @@ class CellLookup {
         return kLanes - static_cast<unsigned>(std::popcount(missing));
     }
 
+    /// The same for points that were looked up before.
+    unsigned operator()(Lanes x, Lanes y, Lanes z, FoundCells& found) const {
+        const Index finest(levels_.front()->grid(), x, y, z), shifted(levels_.back()->grid(), x, y, z);
+        const unsigned same = finest.sameAs(found.low.data(), found.high.data()) &
+                              shifted.sameAs(found.shiftedLow.data(), found.shiftedHigh.data());
+        unsigned missing = ~same & ((1U << kLanes) - 1);
+        if (missing != 0) {
+            finest.store(found.low.data(), found.high.data());
+            shifted.store(found.shiftedLow.data(), found.shiftedHigh.data());
+            auto& cells = reinterpret_cast<const NormalCell*(&)[kLanes]>(*found.cells.data());
+            for (const NormalDistributions* level : levels_) {
+                missing = findAt(*level, x, y, z, missing, cells);
+                if (missing == 0) break;
+            }
+            for (unsigned lanes = missing; lanes != 0; lanes &= lanes - 1)
+                cells[std::countr_zero(lanes)] = &kNoCell;
+        }
+        unsigned inside = 0;
+        for (const NormalCell* cell : found.cells) inside += static_cast<unsigned>(cell != &kNoCell);
+        return inside;
+    }
+
   private:
+    /// The voxels of eight points, their keys in two halves.
+    struct Index {
+        IntLanes low, high;
+
+        Index(const VoxelGrid& grid, Lanes x, Lanes y, Lanes z) {
+            const Lanes scale = Lanes::of(static_cast<float>(grid.perMetre()));
+            const Lanes shift = Lanes::of(static_cast<float>(grid.shift() * grid.perMetre()));
+            const IntLanes half = IntLanes::of(static_cast<int>(VoxelGrid::kHalf));
+            // What lies outside the grid is clamped to a border where no cell is.
+            const Lanes limit = Lanes::of(static_cast<float>(VoxelGrid::kHalf - 1));
+            const auto index = [&](Lanes a) {
+                return floorOf(max(min(fma(a, scale, shift), limit), -limit)) + half;
+            };
+            const IntLanes i = index(x), j = index(y), k = index(z);
+            low = i | j.left(21);
+            high = j.right(11) | k.left(10);
+        }
+        void store(std::uint32_t* toLow, std::uint32_t* toHigh) const {
+            _mm256_store_si256(reinterpret_cast<__m256i*>(toLow), low.v);
+            _mm256_store_si256(reinterpret_cast<__m256i*>(toHigh), high.v);
+        }
+        unsigned sameAs(const std::uint32_t* otherLow, const std::uint32_t* otherHigh) const {
+            const auto equal = [](IntLanes a, const std::uint32_t* b) {
+                return _mm256_cmpeq_epi32(a.v, _mm256_load_si256(reinterpret_cast<const __m256i*>(b)));
+            };
+            const __m256i both = _mm256_and_si256(equal(low, otherLow), equal(high, otherHigh));
+            return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(both)));
+        }
+    };
+
     static unsigned findAt(const NormalDistributions& level, Lanes x, Lanes y, Lanes z, unsigned wanted,
                            const NormalCell* (&cells)[kLanes]) {
-        const Lanes scale = Lanes::of(static_cast<float>(level.grid().perMetre()));
-        const Lanes shift = Lanes::of(static_cast<float>(level.grid().shift() * level.grid().perMetre()));
-        const IntLanes half = IntLanes::of(static_cast<int>(VoxelGrid::kHalf));
-        // What lies outside the grid is clamped to a border where no cell is.
-        const Lanes limit = Lanes::of(static_cast<float>(VoxelGrid::kHalf - 1));
-        const auto index = [&](Lanes a) {
-            return floorOf(max(min(fma(a, scale, shift), limit), -limit)) + half;
-        };
-        const IntLanes i = index(x), j = index(y), k = index(z);
-        const IntLanes low = i | j.left(21);
-        const IntLanes high = j.right(11) | k.left(10);
+        const auto [low, high] = Index(level.grid(), x, y, z);
         const auto constant = [](std::uint32_t value) { return IntLanes::of(static_cast<int>(value)); };
         IntLanes h = low * constant(VoxelGrid::kHashLow) + high * constant(VoxelGrid::kHashHigh);
         h = (h ^ h.right(16)) * constant(VoxelGrid::kHashFirst);
@@ -93,7 +136,7 @@ struct CellLanes {
     Lanes xx, xy, xz, yy, yz, zz;
     Lanes depth, steepness;
 
-    explicit CellLanes(const NormalCell* const (&cells)[kLanes]) {
+    explicit CellLanes(const NormalCell* const* cells) {
         Lanes rows[kLanes];
         for (std::size_t i = 0; i < kLanes; ++i)
             rows[i] = Lanes::load(reinterpret_cast<const float*>(cells[i]));
@@ -209,6 +252,23 @@ PointLanes::PointLanes(std::span<const Eigen::Vector3f> points) : count(points.s
     }
 }
 
+FoundCells::FoundCells() {
+    for (auto* index : {&low, &high, &shiftedLow, &shiftedHigh}) index->fill(kNowhere);
+    cells.fill(&kNoCell);
+}
+
+bool canRemember(std::span<const NormalDistributions* const> levels) {
+    const VoxelGrid& finest = levels.front()->grid();
+    if (finest.shift() != 0) return false;
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const VoxelGrid& grid = levels[i]->grid();
+        if (i + 1 == levels.size() && grid.shift() != 0) continue;
+        int power = 0;
+        if (grid.shift() != 0 || std::frexp(grid.size() / finest.size(), &power) != 0.5) return false;
+    }
+    return true;
+}
+
 NdtSums& NdtSums::operator+=(const NdtSums& other) {
     score += other.score;
     inside += other.inside;
@@ -218,7 +278,8 @@ NdtSums& NdtSums::operator+=(const NdtSums& other) {
 }
 
 NdtSums sumNdt(std::span<const NormalDistributions* const> levels, const PointLanes& points,
-               std::size_t begin, std::size_t end, const Pose& pose, double radius) {
+               std::size_t begin, std::size_t end, const Pose& pose, double radius,
+               std::span<FoundCells> found) {
     const PoseLanes lanes(pose);
     const CellLookup lookup(levels);
     const Lanes perRadius = Lanes::of(static_cast<float>(1 / radius));
@@ -232,11 +293,12 @@ NdtSums sumNdt(std::span<const NormalDistributions* const> levels, const PointLa
             const Lanes yx = lanes.turned(0, px, py, pz), yy = lanes.turned(1, px, py, pz),
                         yz = lanes.turned(2, px, py, pz);
             const Lanes x = yx + lanes.t[0], y = yy + lanes.t[1], z = yz + lanes.t[2];
-            const NormalCell* cells[kLanes];
-            const unsigned inside = lookup(x, y, z, cells);
+            const NormalCell* looked[kLanes];
+            const unsigned inside =
+                found.empty() ? lookup(x, y, z, looked) : lookup(x, y, z, found[i / kLanes]);
             if (inside == 0) continue;
             sums.inside += inside;
-            const CellLanes cell(cells);
+            const CellLanes cell(found.empty() ? looked : found[i / kLanes].cells.data());
             block.add(cell, Scored(cell, x, y, z), yx * perRadius, yy * perRadius, yz * perRadius, perRadius);
         }
         block.addTo(sums);

@@ -8,6 +8,7 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
+constexpr std::size_t kGroup = 8;
 
 }  // namespace
 
@@ -23,17 +24,23 @@ NdtScore::NdtScore(std::span<const NormalDistributions> target, const CentredSou
     }
 }
 
-ScoredPose NdtScore::operator()(const Pose& pose) const {
+ScoredPose NdtScore::operator()(const Pose& pose, Memory* memory) const {
     ScoredPose scored;
     const double share = 1 / static_cast<double>(source_.count * grids_.size());
     const std::size_t chunks = (source_.count + kGrain - 1) / kGrain;
     std::vector<NdtSums> parts(chunks * grids_.size());
+    const std::size_t groups = source_.x.size() / kGroup;
+    if (memory != nullptr && memory->empty()) memory->resize(groups * grids_.size());
     // A chunk of a grid is a task of its own, so that the last level feeds many threads.
     parallelFor(parts.size(), 1, [&](std::size_t from, std::size_t to) {
         for (std::size_t task = from; task < to; ++task) {
             const std::size_t begin = task % chunks * kGrain;
-            parts[task] = sumNdt(grids_[task / chunks], source_, begin,
-                                 std::min(begin + kGrain, source_.count), pose, radius_);
+            const Levels& levels = grids_[task / chunks];
+            const bool remembers = memory != nullptr && canRemember(levels);
+            parts[task] =
+                sumNdt(levels, source_, begin, std::min(begin + kGrain, source_.count), pose, radius_,
+                       remembers ? std::span(*memory).subspan(task / chunks * groups, groups)
+                                 : std::span<FoundCells>());
         }
     });
     NdtSums total;

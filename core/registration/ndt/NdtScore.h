@@ -37,8 +37,10 @@ class NdtScore {
     NdtScore(std::span<const NormalDistributions> target, const CentredSource& source,
              std::span<const NormalDistributions> shifted = {});
 
-    /// `pose` maps the centred source into the target's cells.
-    ScoredPose operator()(const Pose& pose) const;
+    /// Of the poses of one descent; spares those that follow each other closely most of the search for cells.
+    using Memory = std::vector<FoundCells>;
+    /// `pose` maps the centred source into the target's cells. One memory must not be used by two threads.
+    ScoredPose operator()(const Pose& pose, Memory* memory = nullptr) const;
     /// S alone.
     double value(const Pose& pose) const;
 

@@ -5,6 +5,7 @@
 
 #include "core/registration/ndt/CellMoments.h"
 #include "core/registration/ndt/ImprovedNdt.h"
+#include "core/registration/ndt/MomentPyramid.h"
 
 namespace vestige {
 
@@ -22,8 +23,8 @@ class TargetLevels {
     double rangeNoise_m() const { return options_.distributions.rangeNoise_m; }
     const std::vector<std::string>& notes() const { return notes_; }
 
-    /// The flat cells from `finest` up to largestSurface(), from large to small, as thin as their points lie but no
-    /// thinner than `deviation_m`; all cells where the flat ones hold too little of the target.
+    /// The flat cells from `finest` up to largestSurface(), from large to small, as thin as their points lie
+    /// but no thinner than `deviation_m`; all cells where the flat ones hold too little of the target.
     std::vector<NormalDistributions> surfaces(double deviation_m, double finest) const;
     double largestSurface() const;
     /// Copies of the last of surfaces(), shifted along the diagonal.

@@ -41,6 +41,11 @@ class VoxelGrid {
         const std::uint64_t kept = axis | axis << 21 | axis << 42;
         return key >> bits & kept;
     }
+    /// The key, in a grid of twice the size and without shift, of the cell that holds this one.
+    static std::uint64_t parent(std::uint64_t key) {
+        constexpr std::uint64_t kOrigin = kHalf / 2;
+        return block(key, 1) + (kOrigin | kOrigin << 21 | kOrigin << 42);
+    }
     double centreX(std::uint64_t key) const { return centre(key & kMask); }
     double centreY(std::uint64_t key) const { return centre(key >> 21 & kMask); }
     double centreZ(std::uint64_t key) const { return centre(key >> 42 & kMask); }

@@ -6,6 +6,7 @@
 
 #include "core/base/Parallel.h"
 #include "core/base/Random.h"
+#include "core/registration/ndt/MomentPyramid.h"
 #include "core/registration/ndt/VoxelSchedule.h"
 
 namespace vestige {
