@@ -57,6 +57,7 @@ nlohmann::json registrationJson(const RegistrationResult& result, bool withSecon
         {"scale", result.targetFromSource.scale},
         {"rmse_m", result.rmse_m},
         {"overlap", result.overlap},
+        {"target_overlap", result.targetOverlap},
         {"inlier_distance_m", result.inlierDistance_m},
         {"voxel_schedule_m", result.voxelSchedule_m},
         {"levels", std::move(levels)},

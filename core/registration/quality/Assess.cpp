@@ -106,6 +106,7 @@ void assess(RegistrationResult& result, const PointCloud& target, const PointClo
                           {centred.points, fit.source().cells(), -centred.centre}, fit.tolerance_m(),
                           kLargestSeen * fit.finest_m());
     evidence.through = space.through(found);
+    evidence.freeSpaceKnown = space.known();
     control.progress(0.3, "quality");
 
     RestartPlan plan;

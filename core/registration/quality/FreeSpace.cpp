@@ -9,7 +9,7 @@ namespace vestige {
 namespace {
 
 constexpr double kMarginOfRange = 0.01;  // half a degree of turn
-constexpr double kBeyond = 4;            // tolerances
+constexpr double kBeyond = 5;            // tolerances
 constexpr double kOwnThrough = 0.02;     // share of its own surface that a cloud may seem to see through
 constexpr std::size_t kFewestCells = 50;
 constexpr int kFewestRays = 5;

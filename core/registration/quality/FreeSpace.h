@@ -40,6 +40,8 @@ class FreeSpace {
     /// viewpoint is not known.
     std::optional<SightShares> fromTarget(const Pose& targetFromSource) const;
     std::optional<SightShares> fromSource(const Pose& targetFromSource) const;
+    /// Whether both can be asked.
+    bool known() const { return target_.image && source_.image; }
     /// The larger share of the two.
     double through(const Pose& targetFromSource) const;
 

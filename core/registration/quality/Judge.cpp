@@ -53,13 +53,16 @@ void judgeOverlap(const RegistrationResult& result, const QualityOptions& option
 
 void judgeSupport(const Evidence& evidence, const QualityOptions& options, Reasons& reasons) {
     constexpr double kSeenPerSupport = 1.4;  // the part that both clouds saw agrees the better
+    // Surface that one cloud lacks speaks against a pose less where rays say that it is free there.
+    const double share = evidence.freeSpaceKnown ? 0.5 : 1;
     const double support = std::max(evidence.source.support, evidence.target.support);
     const double seen = std::max(evidence.source.seenSupport, evidence.target.seenSupport);
     if (!(support >= options.failedSupport && seen >= kSeenPerSupport * options.failedSupport))
         reasons.fail("the surfaces that would hold the pose disagree: in one direction only " +
                      percent(support) + " of them lie on the other cloud (" + percent(seen) +
                      " where both clouds have surface)");
-    else if (!(support >= options.doubtfulSupport && seen >= kSeenPerSupport * options.doubtfulSupport))
+    else if (!(support >= share * options.doubtfulSupport &&
+               seen >= kSeenPerSupport * options.doubtfulSupport))
         reasons.doubt("few of the surfaces that would hold the pose agree: in one direction " +
                       percent(support) + " (" + percent(seen) + " where both clouds have surface)");
 }
@@ -95,7 +98,7 @@ void judgeObservability(const RegistrationQuality& quality, const Evidence& evid
 }
 
 void judgeRivals(const Evidence& evidence, Reasons& reasons) {
-    constexpr double kNearlyAsGood = 0.6;
+    constexpr double kNearlyAsGood = 0.5;
     constexpr double kAsGood = 0.95;
     constexpr double kBetter = 1.05;
     const Rival* better = nullptr;

@@ -29,6 +29,7 @@ struct Evidence {
     SurfaceShares target;
     double score = 0;    ///< poseScore
     double through = 0;  ///< the larger share of one cloud's surface that the other's scanner saw through
+    bool freeSpaceKnown = false;  ///< of both scanners
     std::vector<Rival> rivals;
     double apart_m = 0;   ///< a rival that is nearer is the same place
     double radius_m = 1;  ///< of the source's surface
