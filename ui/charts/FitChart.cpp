@@ -99,7 +99,7 @@ class Painter {
 
     void paintFrame() {
         text({area_.left(), area_.top(), area_.width(), em_}, Qt::AlignLeft | Qt::AlignVCenter,
-             QObject::tr("Score of each voxel size"), style_.text);
+             QObject::tr("Score at each voxel size (lower is better)"), style_.text);
         painter_.setPen(QPen(style_.grid, style_.line));
         painter_.drawRect(places_.score);
         for (int decade = decades_.low; decade <= decades_.high; ++decade) {

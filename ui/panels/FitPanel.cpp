@@ -157,8 +157,10 @@ void FitPanel::fillCandidates(const ShownFit& fit) {
 
 void FitPanel::fillQuality(const ShownFit& fit) {
     const RegistrationQuality* quality = fit.layer && fit.result->quality ? &*fit.result->quality : nullptr;
-    uncertaintySection_->setVisible(quality != nullptr);
-    freedomSection_->setVisible(quality != nullptr);
+    // Of a pose that does not exist there is nothing to say.
+    const bool failed = quality && fit.result->verdict == Verdict::failed;
+    uncertaintySection_->setVisible(quality && !failed);
+    freedomSection_->setVisible(quality && !failed);
     residuals_->setVisible(quality && !quality->residuals.counts.empty());
     restarts_->setVisible(quality && quality->restarts.runs > 0);
     if (!quality) return;

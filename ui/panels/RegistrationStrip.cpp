@@ -22,6 +22,18 @@ QString voxelText(const RegistrationResult& result) {
     return first == last ? last + " m" : first + QString::fromUtf8(" → ") + last + " m";
 }
 
+QString secondsText(double seconds) {
+    return seconds < 1 ? toQt(fixedText(1000 * seconds, 0)) + " ms" : toQt(fixedText(seconds, 1)) + " s";
+}
+
+/// As people call it; the names of the options are for command lines.
+QString methodText(const std::string& method) {
+    if (method == "improved-ndt") return QObject::tr("improved NDT");
+    if (method == "ndt") return QObject::tr("classic NDT");
+    if (method == "icp") return QObject::tr("ICP");
+    return toQt(method);
+}
+
 QString motionText(const RegistrationResult& result) {
     const Similarity moved = result.targetFromSource * result.initial.inverse();
     const double angle = degrees(rotationAngle(moved.pose.rotation()));
@@ -86,9 +98,7 @@ void RegistrationStrip::fill() {
          {motionText(result), tr("moved"), {}},
          {QString::number(result.iterations), tr("iterations"), {}},
          {voxelText(result), tr("voxels, %1 sizes").arg(result.voxelSchedule_m.size()), {}},
-         {QString::fromStdString(fixedText(result.seconds, 1)) + " s",
-          QString::fromStdString(result.method),
-          {}}},
+         {secondsText(result.seconds), methodText(result.method), {}}},
         "figure-small");
     QStringList notes{tr("%1 on %2").arg(QString::fromStdString(fit.layer->name), onto),
                       verdictSentence(result.verdict)};

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSteep = 0.8;  // of a unit vector's z: within 37 degrees of the vertical
 constexpr double kLevel = 0.35;
 
-/// "about east-west (84° from the y axis)" of a line; both its ends are the same.
+/// "roughly east-west (84° from the y axis)" of a line; both its ends are the same.
 std::string bearing(const Eigen::Vector3d& line) {
     double angle = degrees(std::atan2(line.x(), line.y()));
     if (angle < 0) angle += 180;
@@ -20,7 +20,7 @@ std::string bearing(const Eigen::Vector3d& line) {
     constexpr std::array names{"north-south", "northeast-southwest", "east-west", "southeast-northwest",
                                "north-south"};
     const auto nearest = static_cast<std::size_t>(std::lround(angle / 45));
-    return std::string("about ") + names[nearest] + " (" + fixedText(angle, 0) + "\u00b0 from the y axis)";
+    return std::string("roughly ") + names[nearest] + " (" + fixedText(angle, 0) + "\u00b0 from the y axis)";
 }
 
 std::string slideWords(const Eigen::Vector3d& shift) {
@@ -32,7 +32,8 @@ std::string slideWords(const Eigen::Vector3d& shift) {
 std::string turnWords(const Eigen::Vector3d& axis) {
     const double z = std::abs(axis.normalized().z());
     if (z > kSteep) return "turns about the vertical axis";
-    return (z < kLevel ? "tilts about a level axis " : "turns about a sloping axis ") + bearing(axis);
+    return (z < kLevel ? "tilts about a level axis that runs " : "turns about a sloping axis that runs ") +
+           bearing(axis);
 }
 
 }  // namespace

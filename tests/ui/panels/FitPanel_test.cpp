@@ -1,4 +1,5 @@
 #include "ui/panels/FitPanel.h"
+#include "ui/panels/FitWords.h"
 
 #include <gtest/gtest.h>
 
@@ -90,10 +91,25 @@ TEST(FitPanel, SaysVerdictReasonsAndQualityInWords) {
     EXPECT_EQ(p.said("uncertainty").count(QString::fromUtf8("± 3.9 mm")), 3) << "1.96 times 2 mm";
     EXPECT_EQ(p.said("uncertainty").count(QString::fromUtf8("± 0.20°")), 3);
     EXPECT_TRUE(p.said("freedom").contains("Slides along the road (east-west)"));
-    EXPECT_TRUE(p.said("freedom").contains("0.980 m"));
+    EXPECT_TRUE(p.said("freedom").contains("980 mm"));
     EXPECT_TRUE(p.said("restarts").startsWith("7 of 8 restarts"));
     EXPECT_TRUE(p.panel.findChild<QWidget*>("residuals")->accessibleDescription().startsWith("140 points"));
     EXPECT_FALSE(p.panel.findChild<QWidget*>("candidates")->isVisible());
+}
+
+TEST(FitWords, SaySoWhereNothingIsHeldInsteadOfAbsurdFigures) {
+    RegistrationQuality quality;
+    quality.directions.resize(1);
+    quality.directions[0].words = "slides level";
+    quality.directions[0].free = true;
+    quality.directions[0].sigma_m = 4e5;
+    EXPECT_TRUE(freedomText(quality).contains("not held at all")) << freedomText(quality).toStdString();
+    PoseUncertainty uncertainty;
+    uncertainty.covariance.setIdentity();
+    uncertainty.covariance *= 1e8;
+    EXPECT_EQ(uncertaintyText(uncertainty).count("not held"), 6);
+    EXPECT_EQ(restartsText({4, 0, 0, 0}), "None of 4 restarts from perturbed poses came back to this place.");
+    EXPECT_TRUE(restartsText({4, 4, 0, 0}).contains("less than 0.1 mm"));
 }
 
 TEST(FitPanel, VerdictsDifferInWordAndShapeNotInColourAlone) {

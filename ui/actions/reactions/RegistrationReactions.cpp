@@ -141,8 +141,15 @@ QString RegistrationReactions::take(const std::string& id, Result<RegistrationRe
     const Layer* layer = bench_.document.state().layer(id);
     if (!layer) return {};  // removed while it was being registered
     const QString name = QString::fromStdString(layer->name);
-    if (!result)
-        return tr("%1 was not registered: %2.").arg(name, QString::fromStdString(result.error().sentence()));
+    if (!result) {
+        const Error& error = result.error();
+        // Its hint is for command lines.
+        if (error.code == ErrorCode::untrustworthy)
+            return tr("%1 was not registered: %2. Choose its start under Align, or Register from any pose "
+                      "(Ctrl+Shift+G).")
+                .arg(name, QString::fromStdString(error.message));
+        return tr("%1 was not registered: %2.").arg(name, QString::fromStdString(error.sentence()));
+    }
     const QString reason =
         result->reasons.empty() ? QString() : ": " + QString::fromStdString(result->reasons.front());
     if (!result->trustworthy()) {

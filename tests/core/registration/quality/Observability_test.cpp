@@ -50,7 +50,7 @@ TEST(Observability, APlaneLetsASlideTwoWaysAndATurn) {
 TEST(Observability, AStraightGutterLetsASlideAlongItOnly) {
     const auto directions = directionsOf({1, 2});
     ASSERT_EQ(freeOf(directions), 1);
-    EXPECT_EQ(directions[0].words, "slides level about east-west (90\u00b0 from the y axis)");
+    EXPECT_EQ(directions[0].words, "slides level roughly east-west (90\u00b0 from the y axis)");
     EXPECT_GT(std::abs(directions[0].direction.x()), 0.99);
 }
 
@@ -96,11 +96,12 @@ TEST(Observability, WordsForMotions) {
     motion[2] = -1;
     EXPECT_EQ(motionWords(motion), "moves up and down");
     motion << 0, -2, 0, 0, 0, 0;
-    EXPECT_EQ(motionWords(motion), "slides level about north-south (0\u00b0 from the y axis)");
+    EXPECT_EQ(motionWords(motion), "slides level roughly north-south (0\u00b0 from the y axis)");
     motion << 0, 0, 0, 0, 0, 3;
     EXPECT_EQ(motionWords(motion), "turns about the vertical axis");
     motion << 0, 0, 0, 1, 0, 0;
-    EXPECT_EQ(motionWords(motion), "tilts about a level axis about east-west (90\u00b0 from the y axis)");
+    EXPECT_EQ(motionWords(motion),
+              "tilts about a level axis that runs roughly east-west (90\u00b0 from the y axis)");
 }
 
 TEST(Observability, TheSpreadOfACornersFitsIsWhatItsCovarianceSays) {
