@@ -18,9 +18,9 @@ namespace vestige {
 namespace {
 
 /// What the sandwich leaves out, found on simulated pairs with truth (docs/decisions/0009).
-constexpr double kVarianceScale = 1.9;
+constexpr double kVarianceScale = 0.95;
 /// Of the finest cell: how well cells of that size can stand for a surface at all.
-constexpr double kCellError = 1.6e-4;
+constexpr double kCellError = 1.1e-4;
 /// Of the squared step between the two fits: it holds the errors of both.
 constexpr double kStepShare = 0.5;
 constexpr double kChiSquare95Of3 = 7.815;

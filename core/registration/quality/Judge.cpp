@@ -146,8 +146,8 @@ Judgement judge(const RegistrationResult& result, const RegistrationQuality& qua
     judgeOverlap(result, options, reasons);
     judgeSupport(evidence, options, reasons);
     judgeFreeSpace(evidence, options, reasons);
-    judgeRivals(evidence, reasons);
     judgeObservability(quality, evidence, options, reasons);
+    judgeRivals(evidence, reasons);
     judgeRestarts(quality, reasons);
     Judgement judgement = std::move(reasons).judgement();
     if (judgement.verdict == Verdict::accepted)
