@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/registration/DenserSource.h"
 #include "core/registration/icp/PointToPlaneIcp.h"
 #include "core/registration/ndt/ClassicNdt.h"
 #include "core/registration/ndt/ImprovedNdt.h"
@@ -83,6 +84,8 @@ Result<RegistrationResult> findPose(const PointCloud& target, const PointCloud& 
     const double radius = initial.scale * surfaceRadius(source);
     if (!(radius > 0))
         return fail(ErrorCode::untrustworthy, "the source has no extent, it cannot be registered");
+    if (auto found = findPoseOnDenserSource(target, source, initial, parameters, control, watch))
+        return *std::move(found);
     const ImprovedNdtOptions ndt = ndtOptions(parameters, radius);
     const double margin = 2 * std::max(ndt.voxelStart_m, ndt.voxel_m.value_or(0)) + 0.5 * radius;
     const RegistrationFrame frame(target, source, initial, margin);

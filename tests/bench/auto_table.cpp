@@ -1,204 +1,170 @@
-// Success of the automatic first pose over random poses of the source, pair by pair, against truth or the
-// pose reached from picked pairs: bin/auto_table TRIALS
-// [NAME=TARGET,SOURCE,TRUTH,METRES_PER_UNIT,SHIFT_M,TURN_DEG[,SIDE_M,POINTS]]... TRUTH: a 4x4 matrix as text,
-// picks.csv, or a pose file (.json). SIDE_M crops the target to a square round the source's place, POINTS
-// thins it by taking every k-th. Verbose with VESTIGE_AUTO_VERBOSE set.
+// Success of the automatic first pose over random poses of the source, with the registration after it and its
+// verdict: bin/auto_table TRIALS SET... (docs/decisions/0008). SET: all, shared (the pairs of shared/data), a
+// simulated set by name, or NAME=TARGET,SOURCE,... (tests/bench/auto/Trial.h). Environment: VESTIGE_AUTO_FROM
+// the first trial's number, VESTIGE_AUTO_VERBOSE a line for each trial.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
-#include <sstream>
+#include <stdexcept>
 
-#include "core/base/Random.h"
-#include "core/base/Units.h"
-#include "core/io/FormatRegistry.h"
-#include "core/registration/InitialPose.h"
 #include "core/registration/Register.h"
 #include "core/registration/global/FirstPose.h"
+#include "tests/bench/auto/Trial.h"
 
+namespace vestige::bench {
 namespace {
-
-using namespace vestige;
-
-struct Pair {
-    std::string name;
-    PointCloud target;
-    PointCloud source;
-    Similarity truth;
-    double shift_m = 0;
-    double turn_deg = 0;
-};
-
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::stringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-    return parts;
-}
-
-[[noreturn]] void stop(const std::string& why) {
-    std::fprintf(stderr, "%s\n", why.c_str());
-    std::exit(1);
-}
-
-PointCloud readCloud(const std::string& file) {
-    auto loaded = readGeometry(file);
-    if (!loaded) stop(loaded.error().sentence());
-    return loaded->geometry.vertices;
-}
-
-/// What picked pairs lead to, or what the file says.
-Similarity truthOf(const std::string& file, double scale, const PointCloud& target,
-                   const PointCloud& source) {
-    if (file.ends_with(".json")) {
-        const auto pose = readPoseFile(file);
-        if (!pose) stop(pose.error().sentence());
-        return *pose;
-    }
-    if (file.ends_with(".csv")) {
-        const auto pairs = readPointPairs(file);
-        if (!pairs) stop(pairs.error().sentence());
-        const auto start = alignPairs(*pairs, scale);
-        if (!start) stop(start.error().sentence());
-        const auto result = attemptRegistration({target, {}}, {source, {}}, start->targetFromSource,
-                                                ParameterSet(registrationParameters()));
-        if (!result) stop(result.error().sentence());
-        return result->targetFromSource;
-    }
-    std::array<double, 16> values{};
-    std::ifstream stream(file);
-    for (double& value : values) stream >> value;
-    const auto pose = poseFromRowMajor(values, 1e-3);
-    if (!pose) stop(pose.error().sentence());
-    return {*pose, scale};
-}
-
-PointCloud cropped(const PointCloud& cloud, const Eigen::Vector3d& middle, double side_m,
-                   std::size_t points) {
-    std::vector<std::uint32_t> inside;
-    for (std::uint32_t i = 0; i < cloud.size(); ++i)
-        if ((cloud.point(i) - middle).head<2>().cwiseAbs().maxCoeff() < side_m / 2) inside.push_back(i);
-    std::vector<std::uint32_t> kept;
-    for (std::size_t k = 0; k < std::min(points, inside.size()); ++k)
-        kept.push_back(inside[k * inside.size() / std::min(points, inside.size())]);
-    return cloud.select(kept);
-}
-
-Pair readPair(const std::string& text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) stop("expected NAME=TARGET,SOURCE,...: " + text);
-    const std::vector<std::string> parts = split(text.substr(equals + 1), ',');
-    if (parts.size() != 6 && parts.size() != 8) stop("expected six or eight parts: " + text);
-    Pair pair{text.substr(0, equals), readCloud(parts[0]), readCloud(parts[1]), {}, 0, 0};
-    pair.truth = truthOf(parts[2], std::stod(parts[3]), pair.target, pair.source);
-    pair.shift_m = std::stod(parts[4]);
-    pair.turn_deg = std::stod(parts[5]);
-    if (parts.size() == 8)
-        pair.target = cropped(pair.target, pair.truth * pair.source.bounds().centre(), std::stod(parts[6]),
-                              std::stoul(parts[7]));
-    return pair;
-}
-
-Pose randomPose(std::uint64_t trial, double reach) {
-    Random random(7, trial);
-    Eigen::Quaterniond turn;
-    turn.coeffs() << random.normal(), random.normal(), random.normal(), random.normal();
-    Pose pose = Pose::Identity();
-    pose.linear() = turn.normalized().toRotationMatrix();
-    for (int axis = 0; axis < 3; ++axis) pose.translation()[axis] = random.uniform(-reach, reach);
-    return pose;
-}
 
 struct Deviation {
     double shift_m = 0;
     double turn_deg = 0;
+    bool scale = true;
+
+    bool within(const TrialSet& set) const {
+        return scale && shift_m < set.shift_m && turn_deg < set.turn_deg;
+    }
 };
 
-Deviation deviation(const Similarity& found, const Similarity& expected, const Eigen::Vector3d& middle) {
+Deviation deviation(const Similarity& found, const Similarity& expected, const PointCloud& source) {
+    const Eigen::Vector3d middle = source.bounds().centre();
     return {(found * middle - expected * middle).norm(),
-            degrees(rotationAngle(found.pose.linear().transpose() * expected.pose.linear()))};
+            degrees(rotationAngle(found.pose.linear().transpose() * expected.pose.linear())),
+            std::abs(found.scale / expected.scale - 1) < 1e-6};
 }
 
-void measure(const Pair& pair, int trials) {
-    int placed = 0;
-    int right = 0;
-    int ambiguous = 0;
-    int wrong = 0;
-    double processor = 0;
-    std::vector<double> search, total;
-    const bool verbose = std::getenv("VESTIGE_AUTO_VERBOSE") != nullptr;
-    for (int trial = 0; trial < trials; ++trial) {
-        const Similarity away{
-            randomPose(static_cast<std::uint64_t>(trial), 2 * pair.source.bounds().diagonal()), 1};
-        const PointCloud moved = pair.source.transformed(away);
-        Similarity expected = pair.truth;
-        expected.pose = pair.truth.pose;
-        expected = expected * away.inverse();
-        const Eigen::Vector3d middle = away * pair.source.bounds().centre();
-        ParameterSet parameters(registrationParameters());
-        const auto begin = std::chrono::steady_clock::now();
-        const std::clock_t spent = std::clock();
-        const auto seconds = [&] {
-            return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        };
-        const auto found = findFirstPose({pair.target, {}}, {moved, {}}, {}, parameters);
-        search.push_back(seconds());
-        processor += static_cast<double>(std::clock() - spent) / CLOCKS_PER_SEC;
-        if (!found) {
-            if (verbose)
-                std::printf("%s %d: %s\n", pair.name.c_str(), trial, found.error().sentence().c_str());
-            total.push_back(seconds());
-            ++wrong;
-            continue;
-        }
-        if (found->error_m) (void)parameters.set("start_error_m", *found->error_m);
-        auto result =
-            attemptRegistration({pair.target, {}}, {moved, {}}, found->targetFromSource, parameters);
-        total.push_back(seconds());
-        if (!result) {
-            ++wrong;
-            continue;
-        }
-        addFirstPose(*result, *found);
-        const Deviation first = deviation(found->targetFromSource, expected, middle);
-        const Deviation last = deviation(result->targetFromSource, expected, middle);
-        const bool good = result->targetFromSource.scale == expected.scale && last.shift_m < pair.shift_m &&
-                          last.turn_deg < pair.turn_deg;
-        placed += good;
-        right += good && result->trustworthy();
-        ambiguous += result->verdict == Verdict::ambiguous;
-        wrong += !good && result->trustworthy();
-        if (!verbose) continue;
-        std::printf("%s %d: first %.3f m %.2f deg, registered %.3f m %.2f deg, %s, %.2f s, %.2f s in all\n",
-                    pair.name.c_str(), trial, first.shift_m, first.turn_deg, last.shift_m, last.turn_deg,
-                    std::string(describe(result->verdict)).c_str(), search.back(), total.back());
-        for (const std::string& note : result->notes) std::printf("    %s\n", note.c_str());
-        for (const PoseCandidate& candidate : found->candidates) {
-            const Deviation d = deviation(candidate.targetFromSource, expected, middle);
-            std::printf("    %.2f: %.2f m %.1f deg\n", candidate.score, d.shift_m, d.turn_deg);
-        }
-        std::fflush(stdout);
+/// Verdicts by whether the pose is right. A search that finds nothing counts as failed.
+struct Tally {
+    std::array<int, 4> right{};
+    std::array<int, 4> wrong{};
+    int named = 0;  ///< ambiguous or failed, but the right pose is among the candidates shown
+    std::vector<double> search_s, all_s;
+};
+
+/// Seconds of the clock and of the processor since `begin`.
+struct Stopwatch {
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    std::clock_t spent = std::clock();
+    double processor() const { return static_cast<double>(std::clock() - spent) / CLOCKS_PER_SEC; }
+};
+
+void print(const TrialSet& set, std::uint64_t number, const FirstPose& first,
+           const RegistrationResult& result, const Trial& trial, double search_s, double all_s) {
+    const PointCloud& source = trial.source.vertices;
+    const Deviation a = deviation(first.targetFromSource, trial.targetFromSource, source);
+    const Deviation b = deviation(result.targetFromSource, trial.targetFromSource, source);
+    std::printf("%s %d: %s %s, first %.3f m %.2f deg, registered %.3f m %.2f deg, %.2f s, %.2f s\n",
+                set.name.c_str(), static_cast<int>(number), b.within(set) ? "right" : "WRONG",
+                std::string(describe(result.verdict)).c_str(), a.shift_m, a.turn_deg, b.shift_m, b.turn_deg,
+                search_s, all_s);
+    for (const std::string& reason : result.reasons) std::printf("    %s\n", reason.c_str());
+    for (std::size_t i = 0; i < first.candidates.size(); ++i) {
+        const Deviation d = deviation(first.candidates[i].targetFromSource, trial.targetFromSource, source);
+        std::printf("    - %.3f m %.1f deg, %s\n", d.shift_m, d.turn_deg,
+                    i < first.notes.size()
+                        ? first.notes[first.notes.size() - first.candidates.size() + i].c_str()
+                        : "");
     }
-    std::sort(search.begin(), search.end());
-    std::sort(total.begin(), total.end());
-    std::printf("| %s | %zu | %zu | %d of %d | %d | %d | %d | %.2f | %.2f | %.2f | %.2f |\n",
-                pair.name.c_str(), pair.target.size(), pair.source.size(), placed, trials, right, ambiguous,
-                wrong, search[search.size() / 2], processor / trials, total[total.size() / 2], total.back());
     std::fflush(stdout);
 }
 
+void runTrial(const TrialSet& set, std::uint64_t number, Tally& tally) {
+    const Trial trial = set.trial(number);
+    const bool verbose = std::getenv("VESTIGE_AUTO_VERBOSE") != nullptr;
+    const Stopwatch watch;
+    ParameterSet parameters(registrationParameters());
+    const auto found = findFirstPose(*trial.target, trial.source, trial.unit, parameters);
+    tally.search_s.push_back(watch.processor());
+    const auto failed = [&](const Error& error) {
+        ++tally.wrong[static_cast<std::size_t>(Verdict::failed)];
+        tally.all_s.push_back(watch.processor());
+        if (verbose)
+            std::printf("%s %d: %s\n", set.name.c_str(), static_cast<int>(number), error.sentence().c_str());
+    };
+    if (!found) return failed(found.error());
+    if (found->error_m) (void)parameters.set("start_error_m", *found->error_m);
+    auto result = attemptRegistration(*trial.target, trial.source, found->targetFromSource, parameters);
+    if (!result) return failed(result.error());
+    addFirstPose(*result, *found);
+    tally.all_s.push_back(watch.processor());
+    const PointCloud& source = trial.source.vertices;
+    const bool right =
+        trial.hasPlace && deviation(result->targetFromSource, trial.targetFromSource, source).within(set);
+    ++(right ? tally.right : tally.wrong)[static_cast<std::size_t>(result->verdict)];
+    if (!result->trustworthy())
+        tally.named += std::any_of(found->candidates.begin(), found->candidates.end(), [&](const auto& one) {
+            return deviation(one.targetFromSource, trial.targetFromSource, source).within({"", 0.3, 3, {}});
+        });
+    if (verbose) print(set, number, *found, *result, trial, tally.search_s.back(), tally.all_s.back());
+}
+
+double middle(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0 : values[values.size() / 2];
+}
+
+void measure(const TrialSet& set, std::uint64_t from, std::uint64_t trials) {
+    Tally tally;
+    for (std::uint64_t number = from; number < from + trials; ++number) runTrial(set, number, tally);
+    const auto of = [](const std::array<int, 4>& counts, Verdict verdict) {
+        return counts[static_cast<std::size_t>(verdict)];
+    };
+    const auto& r = tally.right;
+    const auto& w = tally.wrong;
+    std::printf("| %s | %d | %d | %d, %d, %d, %d | %d, %d, %d, %d | %d | %.2f | %.2f | %.2f |\n",
+                set.name.c_str(), static_cast<int>(trials), r[0] + r[1] + r[2] + r[3],
+                of(r, Verdict::accepted), of(r, Verdict::doubtful), of(r, Verdict::ambiguous),
+                of(r, Verdict::failed), of(w, Verdict::accepted), of(w, Verdict::doubtful),
+                of(w, Verdict::ambiguous), of(w, Verdict::failed), tally.named, middle(tally.search_s),
+                middle(tally.all_s), *std::max_element(tally.all_s.begin(), tally.all_s.end()));
+    std::fflush(stdout);
+}
+
+/// The sets that a word of the command line asks for.
+std::vector<TrialSet> setsOf(const std::string& word) {
+    std::vector<TrialSet> sets;
+    const auto append = [&](const std::vector<TrialSet>& more) {
+        sets.insert(sets.end(), more.begin(), more.end());
+    };
+    if (word == "shared" || word == "all")
+        for (const std::string& pair : sharedPairs()) sets.push_back(setOfFiles(pair));
+    if (word == "all") {
+        for (const std::string& name : simulatedSets()) append(setsOf(name));
+        for (const std::string& name : carSets()) append(setsOf(name));
+    }
+    if (word.find('=') != std::string::npos) sets.push_back(setOfFiles(word));
+    if (auto set = simulatedSet(word)) sets.push_back(*set);
+    if (auto set = carSet(word)) sets.push_back(*set);
+    for (const std::string& pair : sharedPairs())
+        if (pair.starts_with(word + "=")) sets.push_back(setOfFiles(pair));
+    if (sets.empty()) throw std::runtime_error("there is no set " + word);
+    return sets;
+}
+
 }  // namespace
+}  // namespace vestige::bench
 
 int main(int argc, char** argv) {
-    if (argc < 3)
-        stop(
-            "auto_table TRIALS NAME=TARGET,SOURCE,TRUTH,METRES_PER_UNIT,SHIFT_M,TURN_DEG[,SIDE_M,POINTS]...");
+    if (argc < 3) {
+        std::fprintf(stderr, "auto_table TRIALS SET...\n");
+        return 2;
+    }
+    const char* from = std::getenv("VESTIGE_AUTO_FROM");
+    std::printf("Verdicts: accepted, doubtful, ambiguous, failed. Seconds of the processor.\n\n");
     std::printf(
-        "| pair | target | source | right pose | and relied on | ambiguous | wrong | search s | of processor "
-        "| all s | worst s "
-        "|\n");
-    std::printf("|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (int i = 2; i < argc; ++i) measure(readPair(argv[i]), std::atoi(argv[1]));
+        "| set | trials | right | right: verdicts | wrong: verdicts | refused, but named | search s | all s "
+        "| worst s |\n");
+    std::printf("|---|---|---|---|---|---|---|---|---|\n");
+    std::fflush(stdout);
+    try {
+        for (int i = 2; i < argc; ++i)
+            for (const vestige::bench::TrialSet& set : vestige::bench::setsOf(argv[i]))
+                vestige::bench::measure(set, from ? std::strtoull(from, nullptr, 10) : 0,
+                                        std::strtoull(argv[1], nullptr, 10));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
 }

@@ -17,7 +17,9 @@ namespace {
 
 constexpr double kMeshSamples = 3e5;
 constexpr std::size_t kProposed = 12;
-constexpr std::size_t kShown = 5;
+/// Of a local scan, whose place may show little of it.
+constexpr std::size_t kProposedOfLocal = 50;
+constexpr std::size_t kShown = 8;
 /// Below this no candidate is worth a registration.
 constexpr double kLeastScore = 0.02;
 /// A better score than this needs no second look with other voxels, unless it has rivals.
@@ -38,6 +40,7 @@ struct Candidate {
     JudgedPose judged;
     Similarity targetFromSource;
     double voxel_m = 0;
+    JudgeBy by = JudgeBy::cover;
 };
 
 /// What is found with one unit.
@@ -45,6 +48,7 @@ struct UnitSearch {
     std::vector<Candidate> candidates;  // best first
     double radius_m = 0;
     double voxel_m = 0;
+    JudgeBy by = JudgeBy::cover;
 };
 
 /// At most `count` points of the cloud, spread over its order.
@@ -62,6 +66,9 @@ UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, do
                           const ParameterSet& parameters, const JobControl& control) {
     UnitSearch search;
     search.radius_m = scale * surfaceRadius(source);
+    if (search.radius_m < kLocal * surfaceRadius(target)) search.by = JudgeBy::shape;
+    const bool local = search.by == JudgeBy::shape;
+    const std::size_t count = local ? kProposedOfLocal : kProposed;
     search.voxel_m = parameters.optionalReal("search_voxel_m")
                          .value_or(searchVoxel(target, source, scale, search.radius_m));
     const double margin = parameters.real("search_margin");
@@ -70,27 +77,28 @@ UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, do
     if (here.size() < kFewestSurfels || there.size() < kFewestSurfels) return search;
     const std::vector<Eigen::Vector3f> points = metresFrom(there.origin, target, 1, target.size());
     const std::vector<Eigen::Vector3f> own = metresFrom(here.origin, source, scale, kOwnPoints);
-    std::vector<ProposedPose> proposals = proposePoses(there, here, kProposed, control.sub(0, 0.4));
-    std::vector<JudgedPose> judged = judgePoses(points, here, own, proposals);
-    const bool convincing = !judged.empty() && judged[0].evidence.score() > kConvincing &&
-                            (judged.size() < 2 || !rivals(judged[1], judged[0], margin));
+    std::vector<ProposedPose> proposals = proposePoses(there, here, count, control.sub(0, 0.4));
+    std::vector<JudgedPose> judged = judgePoses(points, here, own, proposals, search.by);
+    const bool convincing =
+        !local && !judged.empty() && judged[0].score > kConvincing &&
+        (judged.size() < 2 || !rivals(judged[1], judged[0], search.by, search.voxel_m, margin));
     if (!convincing) {
         const Surfels coarseHere = surfelsOf(source, scale, kOtherVoxel * search.voxel_m, control);
         const Surfels coarseThere = surfelsOf(target, 1, kOtherVoxel * search.voxel_m, control);
-        for (ProposedPose pose : proposePoses(coarseThere, coarseHere, kProposed, control.sub(0.5, 0.9))) {
+        for (ProposedPose pose : proposePoses(coarseThere, coarseHere, count, control.sub(0.5, 0.9))) {
             // From the coarse surfels' frames to the fine ones'.
             pose.targetFromSource.translation() +=
                 coarseThere.origin - there.origin -
                 pose.targetFromSource.linear() * (coarseHere.origin - here.origin);
             proposals.push_back(pose);
         }
-        judged = judgePoses(points, here, own, proposals);
+        judged = judgePoses(points, here, own, proposals, search.by);
     }
     for (const JudgedPose& one : judged) {
         Similarity world{one.targetFromSource, scale};
         world.pose.translation() =
             there.origin + one.targetFromSource.translation() - one.targetFromSource.linear() * here.origin;
-        search.candidates.push_back({one, world, search.voxel_m});
+        search.candidates.push_back({one, world, search.voxel_m, search.by});
     }
     return search;
 }
@@ -120,7 +128,12 @@ std::string describe(const Candidate& candidate) {
     std::string text = "at ";
     text.append(fixedText(at.x(), 2)).append(", ").append(fixedText(at.y(), 2)).append(", ");
     text.append(fixedText(at.z(), 2)).append(" (score ");
-    text.append(fixedText(candidate.judged.evidence.score(), 2)).append(", ");
+    const Evidence& evidence = candidate.judged.evidence;
+    text.append(fixedText(candidate.judged.score, 2)).append(", ");
+    if (candidate.by == JudgeBy::shape)
+        text.append("shapes differ by ")
+            .append(fixedText(1000 * std::sqrt(evidence.mostMismatch_m2()), 1))
+            .append(" mm at most, ");
     return text.append(fixedText(100 * candidate.judged.evidence.coverage, 0)).append(" % of the scan met)");
 }
 
@@ -130,21 +143,23 @@ struct Fit {
     double rmse_m = 0;
 };
 
-Fit fitFrom(const PointCloud& target, const PointCloud& source, const Candidate& candidate,
-            const FirstPose& first, ParameterSet parameters, const JobControl& control) {
+std::optional<Fit> fitFrom(const PointCloud& target, const PointCloud& source, const Candidate& candidate,
+                           const FirstPose& first, ParameterSet parameters, const JobControl& control) {
     if (first.error_m && parameters.isDefault("start_error_m"))
         if (const Status set = parameters.set("start_error_m", *first.error_m); !set)
             throw ErrorException{set.error()};
     const auto result = findPose(target, source, candidate.targetFromSource, parameters, control);
     if (!result && result.error().code == ErrorCode::cancelled) throw ErrorException{result.error()};
-    return result ? Fit{result->overlap, result->rmse_m} : Fit{};
+    if (!result) return std::nullopt;
+    return Fit{result->overlap, result->rmse_m};
 }
 
 /// A rival stays one when the scan, registered there, lies on as much of the target and as closely.
-bool fitsAsWell(const Fit& rival, const Fit& best) {
+bool fitsAsWell(const std::optional<Fit>& rival, const std::optional<Fit>& best) {
     constexpr double kOverlap = 0.93;
     constexpr double kDistance = 1.25;
-    return rival.overlap >= kOverlap * best.overlap && rival.rmse_m <= kDistance * best.rmse_m;
+    if (!rival) return false;
+    return !best || (rival->overlap >= kOverlap * best->overlap && rival->rmse_m <= kDistance * best->rmse_m);
 }
 
 }  // namespace
@@ -160,7 +175,6 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
                         there.empty() ? "the target is empty" : "the source is empty");
         FirstPose first;
         std::vector<Candidate> candidates;
-        double radius_m = 0;
         const std::vector<double> scales = scalesToTry(target, source, unit, first.notes);
         for (std::size_t i = 0; i < scales.size(); ++i) {
             const auto part = [&](std::size_t k) {
@@ -169,18 +183,16 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
             UnitSearch search =
                 searchWithUnit(there, here, scales[i], parameters, control.sub(part(i), part(i + 1)));
             if (search.candidates.empty()) continue;
-            if (!candidates.empty() &&
-                candidates[0].judged.evidence.score() >= search.candidates[0].judged.evidence.score())
+            if (!candidates.empty() && candidates[0].judged.score >= search.candidates[0].judged.score)
                 continue;
             candidates = std::move(search.candidates);
-            radius_m = search.radius_m;
         }
-        if (candidates.empty() || candidates[0].judged.evidence.score() < kLeastScore)
+        if (candidates.empty() || candidates[0].judged.score < kLeastScore)
             return fail(ErrorCode::untrustworthy, "no place in the target looks like the source", {},
                         "give picked pairs (.csv) or a pose as the first pose, or the unit");
         const Candidate& best = candidates.front();
         first.targetFromSource = best.targetFromSource;
-        if (radius_m < kLocal * surfaceRadius(there)) first.error_m = kErrorPerVoxel * best.voxel_m;
+        if (best.by == JudgeBy::shape) first.error_m = kErrorPerVoxel * best.voxel_m;
         const double margin = parameters.real("search_margin");
         std::string& note = first.notes.emplace_back("first pose found ");
         note.append(describe(best)).append(", with voxels of ").append(fixedText(best.voxel_m, 3));
@@ -189,16 +201,15 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
         std::optional<Fit> fitOfBest;
         for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) {
             const Candidate& one = candidates[i];
-            if (i > 0 && one.judged.evidence.score() <= 0) break;
-            first.candidates.push_back(
-                {one.targetFromSource, std::clamp(one.judged.evidence.score(), 0.0, 1.0)});
+            if (i > 0 && one.judged.score <= 0) break;
+            first.candidates.push_back({one.targetFromSource, std::clamp(one.judged.score, 0.0, 1.0)});
             if (i == 0) continue;
-            bool rival = rivals(one.judged, best.judged, margin);
-            if (rival) {
+            bool rival = rivals(one.judged, best.judged, best.by, best.voxel_m, margin);
+            if (rival && best.by == JudgeBy::cover) {
                 if (!fitOfBest)
                     fitOfBest = fitFrom(there, here, best, first, parameters, control.sub(0.9, 1));
                 rival =
-                    fitsAsWell(fitFrom(there, here, one, first, parameters, control.sub(0.9, 1)), *fitOfBest);
+                    fitsAsWell(fitFrom(there, here, one, first, parameters, control.sub(0.9, 1)), fitOfBest);
             }
             first.ambiguous = first.ambiguous || rival;
             first.notes.push_back(describe(one));

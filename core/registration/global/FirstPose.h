@@ -17,7 +17,7 @@ namespace vestige {
 struct FirstPose {
     Similarity targetFromSource;
     std::optional<double> error_m;  ///< how far off it may be, where the source is a small part of the target
-    std::vector<PoseCandidate> candidates;  ///< distinct poses, the best first; at most five
+    std::vector<PoseCandidate> candidates;  ///< distinct poses, the best first; at most eight
     bool ambiguous = false;                 ///< the data cannot tell the first candidates apart
     std::vector<std::string> notes;         ///< unit, candidates and their scores
 };

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "core/registration/global/NeighbourCells.h"
 #include "core/registration/global/PoseFit.h"
 #include "core/registration/global/SmallTurn.h"
 
 namespace vestige {
 
 namespace {
+
+/// So many target points to a surfel count half of what many would: fewer leave the target's noise.
+constexpr double kPointsToTrust = 4;
 
 /// Signed distances of points to the planes of the surfels they are nearest to.
 struct PlaneDistances {
@@ -43,18 +47,36 @@ PlaneDistances planeDistances(std::span<const Eigen::Vector3f> points, const Sur
     return distances;
 }
 
+std::vector<SurfaceReference::Neighbours> neighboursOf(const Surfels& surfels) {
+    constexpr float kNear = 2.5F;  // voxels
+    constexpr float kAlongside = 0.85F;
+    const NeighbourCells cells(surfels.points, kNear * static_cast<float>(surfels.voxel_m));
+    std::vector<std::vector<SurfaceReference::Neighbours>> later(surfels.size());
+    cells.forEach([&](std::uint32_t one, std::span<const NeighbourCells::Neighbour> near) {
+        for (const auto& [other, squaredDistance] : near) {
+            const float cosine = surfels.normals[one].dot(surfels.normals[other]);
+            if (other > one && std::abs(cosine) > kAlongside)
+                later[one].push_back({one, other, cosine > 0 ? 1.0F : -1.0F});
+        }
+    });
+    std::vector<SurfaceReference::Neighbours> all;
+    for (const auto& some : later) all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
 }  // namespace
 
 SurfaceReference surfaceReference(std::span<const Eigen::Vector3f> points, const SurfaceLookup& source) {
     constexpr float kFlat = 0.1F;  // of a cell: standard deviation of points that halves a surfel's weight
     const auto cell = static_cast<float>(source.cell_m());
     PlaneDistances distances = planeDistances(points, source, Eigen::Isometry3f::Identity(), 2 * cell);
-    SurfaceReference reference{std::move(distances.mean), directionWeights(source.surfels())};
+    SurfaceReference reference{std::move(distances.mean), directionWeights(source.surfels()), {}};
     for (std::size_t i = 0; i < reference.weight.size(); ++i) {
         const float mean = reference.offset[i];
         const float share = std::max(0.0F, distances.square[i] - mean * mean) / (kFlat * kFlat * cell * cell);
         reference.weight[i] /= 1 + share;
     }
+    reference.neighbours = neighboursOf(source.surfels());
     return reference;
 }
 
@@ -62,27 +84,26 @@ SurfaceCheck::SurfaceCheck(std::span<const Eigen::Vector3f> points, const Surfac
                            const SurfaceReference& reference)
     : points_(points), source_(source), reference_(reference) {}
 
-std::vector<float> SurfaceCheck::offsets(const Eigen::Isometry3d& pose, double reach_m) const {
+SurfaceCheck::Offsets SurfaceCheck::offsets(const Eigen::Isometry3d& pose, double reach_m) const {
     PlaneDistances distances =
         planeDistances(points_, source_, pose.inverse().cast<float>(), static_cast<float>(reach_m));
-    for (std::size_t i = 0; i < distances.mean.size(); ++i)
-        distances.mean[i] = distances.count[i] > 0 ? distances.mean[i] - reference_.offset[i]
-                                                   : std::numeric_limits<float>::quiet_NaN();
-    return std::move(distances.mean);
+    for (std::size_t i = 0; i < distances.mean.size(); ++i) distances.mean[i] -= reference_.offset[i];
+    return {std::move(distances.mean), std::move(distances.count)};
 }
 
 Eigen::Isometry3d SurfaceCheck::refined(const Eigen::Isometry3d& pose, double tolerance_m, int steps) const {
     const Surfels& surface = source_.surfels();
     Eigen::Isometry3d sourceFromTarget = pose.inverse();
     for (int step = 0; step < steps; ++step) {
-        const std::vector<float> distances = offsets(sourceFromTarget.inverse(), tolerance_m);
+        const Offsets found = offsets(sourceFromTarget.inverse(), tolerance_m);
         PlaneEquations equations;
         for (std::size_t i = 0; i < surface.size(); ++i) {
-            if (std::isnan(distances[i])) continue;
-            const double share = distances[i] / tolerance_m;
+            if (found.points[i] == 0) continue;
+            const double share = found.mean[i] / tolerance_m;
             const double inside = std::max(0.0, 1 - share * share);
-            equations.add(surface.points[i], surface.normals[i], distances[i],
-                          reference_.weight[i] * inside * inside);
+            const double points = found.points[i];
+            equations.add(surface.points[i], surface.normals[i], found.mean[i],
+                          reference_.weight[i] * inside * inside * points / (points + kPointsToTrust));
         }
         const SmallTurn turn = equations.solve();
         sourceFromTarget = turn.pose * sourceFromTarget;
@@ -91,35 +112,56 @@ Eigen::Isometry3d SurfaceCheck::refined(const Eigen::Isometry3d& pose, double to
     return sourceFromTarget.inverse();
 }
 
-Evidence evidenceOf(std::span<const float> offsets, std::span<const float> weights, double sigma_m) {
+double Evidence::mostMismatch_m2() const {
+    return std::max(0.0, mismatch_m2) + mismatchError_m2;
+}
+
+Evidence evidenceOf(const SurfaceCheck::Offsets& offsets, const SurfaceReference& reference, double sigma_m) {
     Evidence evidence;
     double all = 0;
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-        all += weights[i];
-        if (std::isnan(offsets[i])) continue;
-        const double share = offsets[i] / (2 * sigma_m);
-        evidence.coverage += weights[i];
-        evidence.agreement += weights[i] * std::max(-1.0, 1 - share * share);
+    for (std::size_t i = 0; i < offsets.mean.size(); ++i) {
+        all += reference.weight[i];
+        if (offsets.points[i] == 0) continue;
+        const double share = offsets.mean[i] / (2 * sigma_m);
+        evidence.coverage += reference.weight[i];
+        evidence.agreement += reference.weight[i] * std::max(-1.0, 1 - share * share);
     }
     if (evidence.coverage > 0) evidence.agreement /= evidence.coverage;
     if (all > 0) evidence.coverage /= all;
+    double weights = 0;
+    double squares = 0;
+    for (const auto& [one, other, sign] : reference.neighbours) {
+        if (offsets.points[one] == 0 || offsets.points[other] == 0) continue;
+        const double weight = std::sqrt(static_cast<double>(reference.weight[one]) * reference.weight[other] *
+                                        offsets.points[one] * offsets.points[other]);
+        const double product = static_cast<double>(sign) * offsets.mean[one] * offsets.mean[other];
+        weights += weight;
+        evidence.mismatch_m2 += weight * product;
+        squares += weight * weight * product * product;
+    }
+    if (weights > 0) {
+        evidence.mismatch_m2 /= weights;
+        evidence.mismatchError_m2 = std::sqrt(squares) / weights;
+    } else {
+        evidence.mismatchError_m2 = std::numeric_limits<double>::infinity();
+    }
     return evidence;
 }
 
-double offsetScale(std::span<const float> offsets, std::size_t least) {
+double offsetScale(const SurfaceCheck::Offsets& offsets, std::size_t least) {
     constexpr double kSigmasPerMedian = 0.6745;
     std::vector<float> sizes;
-    for (const float offset : offsets)
-        if (!std::isnan(offset)) sizes.push_back(std::abs(offset));
+    for (std::size_t i = 0; i < offsets.mean.size(); ++i)
+        if (offsets.points[i] > 0) sizes.push_back(std::abs(offsets.mean[i]));
     if (sizes.size() < std::max<std::size_t>(1, least)) return std::numeric_limits<double>::infinity();
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     return static_cast<double>(*middle) / kSigmasPerMedian;
 }
 
-std::size_t knownOffsets(std::span<const float> offsets) {
-    return static_cast<std::size_t>(
-        std::count_if(offsets.begin(), offsets.end(), [](float offset) { return !std::isnan(offset); }));
+std::size_t knownOffsets(const SurfaceCheck::Offsets& offsets) {
+    return static_cast<std::size_t>(std::count_if(offsets.points.begin(), offsets.points.end(),
+                                                  [](std::uint32_t points) { return points > 0; }));
 }
 
 }  // namespace vestige

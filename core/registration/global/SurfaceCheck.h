@@ -13,6 +13,13 @@ namespace vestige {
 struct SurfaceReference {
     std::vector<float> offset;  ///< mean signed distance to the plane
     std::vector<float> weight;  ///< by direction (directionWeights), less where the points lie on no plane
+    /// Two surfels side by side on the same surface.
+    struct Neighbours {
+        std::uint32_t one;
+        std::uint32_t other;
+        float sign;  ///< -1 where their normals point to opposite sides
+    };
+    std::vector<Neighbours> neighbours;
 };
 
 /// `points` of the source, metres, in the surfels' frame.
@@ -33,8 +40,12 @@ class SurfaceCheck {
     Eigen::Isometry3d refined(const Eigen::Isometry3d& pose, double tolerance_m, int steps) const;
 
     /// Of each source surfel: mean signed distance of the target points within `reach_m` of its plane, less
-    /// that of the source's own points; NaN where there are none.
-    std::vector<float> offsets(const Eigen::Isometry3d& pose, double reach_m) const;
+    /// that of the source's own points, and how many they are.
+    struct Offsets {
+        std::vector<float> mean;  ///< meaningless where there are no points
+        std::vector<std::uint32_t> points;
+    };
+    Offsets offsets(const Eigen::Isometry3d& pose, double reach_m) const;
 
   private:
     std::span<const Eigen::Vector3f> points_;
@@ -42,24 +53,30 @@ class SurfaceCheck {
     const SurfaceReference& reference_;
 };
 
-/// What the offsets say of a pose: each surfel with target points near it speaks for or against.
+/// What the offsets say of a pose: how alike the surfaces are in shape, and how near they lie.
 struct Evidence {
-    double coverage = 0;   ///< share of the source's surfels that have target points near them
-    double agreement = 0;  ///< of these, -1 to 1, see evidenceOf
+    double coverage = 0;  ///< weighted share of the source's surfels that have target points near them
+    /// Of these, -1 to 1: the mean of max(-1, 1 - (offset / (2 sigma))^2), the log likelihood ratio of "this
+    /// surface, normal with sigma" to "any surface near by", cut off and scaled.
+    double agreement = 0;
+    /// Mean square by which the two surfaces differ in shape, and the standard error of that figure, m^2.
+    /// Noise does not add to it, so it may come out below zero.
+    double mismatch_m2 = 0;
+    double mismatchError_m2 = 0;
 
-    /// At most 1. Coverage counts, but the less the more there is of it: a scan is made to show what the
-    /// target does not.
-    double score() const { return 1.25 * agreement * coverage / (coverage + 0.25); }
+    /// What the mismatch may well be, m^2.
+    double mostMismatch_m2() const;
 };
 
-/// Mean over the surfels with target points of max(-1, 1 - (offset / (2 sigma))^2): the log likelihood ratio
-/// of "this surface, normal with sigma" to "any surface near by", cut off and scaled.
-Evidence evidenceOf(std::span<const float> offsets, std::span<const float> weights, double sigma_m);
+/// Coverage and agreement of offsets whose spread is `sigma_m`. Neighbours on a surface share an error of
+/// shape, but not the target's noise: the mismatch is the mean product of the offsets of neighbouring
+/// surfels.
+Evidence evidenceOf(const SurfaceCheck::Offsets& offsets, const SurfaceReference& reference, double sigma_m);
 
 /// Standard deviation of the offsets by their median; infinite for fewer than `least`.
-double offsetScale(std::span<const float> offsets, std::size_t least);
+double offsetScale(const SurfaceCheck::Offsets& offsets, std::size_t least);
 
-/// How many are not NaN.
-std::size_t knownOffsets(std::span<const float> offsets);
+/// How many surfels have target points.
+std::size_t knownOffsets(const SurfaceCheck::Offsets& offsets);
 
 }  // namespace vestige

@@ -48,6 +48,12 @@ Pose at(double x, double y, double yaw) {
     return pose;
 }
 
+std::string notesOf(const FirstPose& found) {
+    std::string text;
+    for (const std::string& note : found.notes) text += note + "\n";
+    return text;
+}
+
 TEST(FirstPose, FindsACarsFrontAmongOtherThingsFromAnyPoseAndUnit) {
     const Pose car = at(6, -3, 0.7);
     const TriangleMesh lot{parkingLot({car}), {}};
@@ -56,7 +62,7 @@ TEST(FirstPose, FindsACarsFrontAmongOtherThingsFromAnyPoseAndUnit) {
         const auto found = findFirstPose(lot, {scan.cloud, {}}, {}, defaults());
         ASSERT_TRUE(found) << found.error().sentence();
         EXPECT_EQ(found->targetFromSource.scale, unit);
-        EXPECT_FALSE(found->ambiguous);
+        EXPECT_FALSE(found->ambiguous) << notesOf(*found);
         EXPECT_TRUE(found->error_m);
         expectNear(found->targetFromSource.pose, car * scan.back, car.translation(), 0.05, 2);
     }
