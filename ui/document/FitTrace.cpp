@@ -1,5 +1,6 @@
 #include "ui/document/FitTrace.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "core/base/Numbers.h"
@@ -101,7 +102,8 @@ void FitTrace::showStep(const std::string& layer, std::size_t index) {
                   tr("%1: size %2 of %3, voxels %4 m, iteration %5")
                       .arg(live() ? tr("Registering") : tr("Replay"))
                       .arg(step.level + 1)
-                      .arg(step.levels)
+                      .arg(std::max<int>(static_cast<int>(step.levels),
+                                         static_cast<int>(steps(layer).back().level) + 1))
                       .arg(toQt(fixedText(step.voxel_m, 2)))
                       .arg(step.iteration));
     emit changed();
