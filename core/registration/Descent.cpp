@@ -2,7 +2,10 @@
 
 namespace vestige {
 
-Status checkTarget(const RegistrationFrame& frame) {
+Status checkTarget(const RegistrationFrame& frame, double cell_m) {
+    if (frame.extent_m() >= cell_m * static_cast<double>(VoxelGrid::kHalf - 1))
+        return fail(ErrorCode::usage, "cells this small cannot be counted across clouds this large", {},
+                    "a larger voxel or leaf is needed");
     if (frame.target().size() >= kFewestPoints) return {};
     return fail(ErrorCode::untrustworthy, "the target has no surface near the source", {},
                 "give a first pose that lays the source on the target (--init)");

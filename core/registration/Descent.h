@@ -10,8 +10,9 @@ namespace vestige {
 
 /// A cloud with fewer points cannot be registered.
 inline constexpr std::size_t kFewestPoints = 10;
-/// ErrorCode::untrustworthy when the target or the thinned source has too few points.
-Status checkTarget(const RegistrationFrame& frame);
+/// ErrorCode::untrustworthy when the target or the thinned source has too few points; ErrorCode::usage when
+/// cells of edge `cell_m` are too small to be counted across the clouds.
+Status checkTarget(const RegistrationFrame& frame, double cell_m);
 Status checkSource(const CentredSource& source);
 
 /// A registration on its way through its levels: keeps the pose and the record, tells the watch.

@@ -1,38 +1,54 @@
 #include "core/registration/RegistrationFrame.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/Parallel.h"
-#include "core/filters/VoxelDownsample.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kGrain = 16384;
 
-std::vector<Eigen::Vector3f> offsetsFrom(const PointCloud& cloud, double scale,
-                                         const Eigen::Vector3d& origin) {
-    std::vector<Eigen::Vector3f> offsets(cloud.size());
-    parallelFor(cloud.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            offsets[i] = (scale * cloud.point(i) - origin).cast<float>();
+/// The points of a cloud, or those of some `indices`, scaled, round `origin`.
+std::vector<Eigen::Vector3f> offsetsFrom(const PointCloud& cloud, double scale, const Eigen::Vector3d& origin,
+                                         const std::vector<std::uint32_t>* indices = nullptr) {
+    std::vector<Eigen::Vector3f> offsets(indices != nullptr ? indices->size() : cloud.size());
+    const std::vector<Eigen::Vector3f>& from = cloud.offsets();
+    const bool exact = cloud.residuals().empty();
+    const Eigen::Vector3d base = cloud.origin();
+    parallelFor(offsets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t place = indices != nullptr ? (*indices)[i] : i;
+            Eigen::Vector3d point = base + from[place].cast<double>();
+            if (!exact) point += cloud.residuals()[place].cast<double>();
+            offsets[i] = (scale * point - origin).cast<float>();
+        }
     });
     return offsets;
 }
 
-/// Indices of the points inside the box, in order.
-std::vector<std::uint32_t> indicesWithin(const PointCloud& cloud, const BoundingBox& box) {
-    std::vector<std::vector<std::uint32_t>> parts((cloud.size() + kGrain - 1) / kGrain);
+/// The points inside a box, in order, and the box that they fill.
+struct PointsWithin {
+    std::vector<std::uint32_t> indices;
+    BoundingBox bounds;
+};
+PointsWithin pointsWithin(const PointCloud& cloud, const BoundingBox& box) {
+    std::vector<PointsWithin> parts((cloud.size() + kGrain - 1) / kGrain);
     parallelChunks(cloud.size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Eigen::Vector3d point = cloud.point(i);
-            if ((point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all())
-                parts[chunk].push_back(static_cast<std::uint32_t>(i));
+            if ((point.array() < box.min.array()).any() || (point.array() > box.max.array()).any()) continue;
+            parts[chunk].indices.push_back(static_cast<std::uint32_t>(i));
+            parts[chunk].bounds.add(point);
         }
     });
-    std::vector<std::uint32_t> indices;
-    for (const auto& part : parts) indices.insert(indices.end(), part.begin(), part.end());
-    return indices;
+    PointsWithin all;
+    for (const PointsWithin& part : parts) {
+        all.indices.insert(all.indices.end(), part.indices.begin(), part.indices.end());
+        all.bounds.add(part.bounds);
+    }
+    return all;
 }
 
 Eigen::Vector3d centroidOf(std::span<const Eigen::Vector3f> points) {
@@ -57,10 +73,22 @@ RegistrationFrame::RegistrationFrame(const PointCloud& target, const PointCloud&
     BoundingBox reach = source.bounds().transformed(initial);
     reach.min.array() -= margin_m;
     reach.max.array() += margin_m;
-    const auto within = indicesWithin(target, reach);
-    const PointCloud cropped = within.size() < target.size() ? target.select(within) : target;
-    targetOrigin_ = cropped.empty() ? reach.centre() : cropped.bounds().centre();
-    target_ = offsetsFrom(cropped, 1, targetOrigin_);
+    const BoundingBox& all = target.bounds();
+    if ((all.min.array() >= reach.min.array()).all() && (all.max.array() <= reach.max.array()).all()) {
+        targetOrigin_ = all.centre();
+        target_ = offsetsFrom(target, 1, targetOrigin_);
+        return;
+    }
+    const PointsWithin within = pointsWithin(target, reach);
+    targetOrigin_ = within.indices.empty() ? reach.centre() : within.bounds.centre();
+    target_ = offsetsFrom(target, 1, targetOrigin_, &within.indices);
+}
+
+double RegistrationFrame::extent_m() const {
+    float most = 0;
+    for (const auto* points : {&target_, &source_})
+        for (const Eigen::Vector3f& point : *points) most = std::max(most, point.lpNorm<Eigen::Infinity>());
+    return static_cast<double>(most);
 }
 
 CentredSource RegistrationFrame::centred(std::vector<Eigen::Vector3f> points) const {
@@ -84,13 +112,6 @@ Pose RegistrationFrame::toWorld(const Pose& localFromCentred, const CentredSourc
     world.linear() = nearestRotation(localFromCentred.linear());
     world.translation() = localFromCentred.translation() + targetOrigin_ - world.linear() * source.centre;
     return world;
-}
-
-std::vector<Eigen::Vector3f> voxelCentroids(const std::vector<Eigen::Vector3f>& points, double size) {
-    const PointCloud cloud(Eigen::Vector3d::Zero(), points, {}, {});
-    Result<PointCloud> thinned = downsample(cloud, size);
-    if (!thinned) throw ErrorException{thinned.error()};
-    return thinned->offsets();
 }
 
 double surfaceRadius(const PointCloud& cloud) {

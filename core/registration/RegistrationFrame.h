@@ -20,6 +20,8 @@ class RegistrationFrame {
     const std::vector<Eigen::Vector3f>& target() const { return target_; }
     /// The source's points, metres.
     const std::vector<Eigen::Vector3f>& source() const { return source_; }
+    /// The largest coordinate of either.
+    double extent_m() const;
     /// These points of the source round their centroid.
     CentredSource centred(std::vector<Eigen::Vector3f> points) const;
 
@@ -34,11 +36,8 @@ class RegistrationFrame {
     std::vector<Eigen::Vector3f> source_;  // round sourceOrigin_
 };
 
-/// One centroid per voxel of edge `size`, neighbours in space near in memory. Throws ErrorException.
-std::vector<Eigen::Vector3f> voxelCentroids(const std::vector<Eigen::Vector3f>& points, double size);
-
 /// RMS distance of a cloud's surface from its centre, in its own unit: every stretch of surface counts the
-/// same, however densely it was scanned. Throws ErrorException.
+/// same, however densely it was scanned.
 double surfaceRadius(const PointCloud& cloud);
 
 }  // namespace vestige

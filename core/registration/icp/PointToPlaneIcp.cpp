@@ -85,8 +85,8 @@ class PlaneTarget {
 Result<RegistrationResult> pointToPlaneIcp(const RegistrationFrame& frame, const Similarity& initial,
                                            const IcpOptions& options, const JobControl& control,
                                            const RegistrationWatch& watch) {
-    if (Status status = checkTarget(frame); !status) return fail(status.error());
     const double leaf = options.leaf_m.value_or(options.reach_m / 8);
+    if (Status status = checkTarget(frame, leaf); !status) return fail(status.error());
     const CentredSource source = SourceLevels(frame, leaf).at(0);
     if (Status status = checkSource(source); !status) return fail(status.error());
     if (control.cancelled()) return fail(cancelledError());

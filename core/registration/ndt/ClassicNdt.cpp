@@ -1,5 +1,7 @@
 #include "core/registration/ndt/ClassicNdt.h"
 
+#include <algorithm>
+
 #include "core/registration/Descent.h"
 #include "core/registration/OverlapQuality.h"
 #include "core/registration/SourceLevels.h"
@@ -10,7 +12,10 @@ namespace vestige {
 Result<RegistrationResult> classicNdt(const RegistrationFrame& frame, const Similarity& initial,
                                       const ClassicNdtOptions& options, const JobControl& control,
                                       const RegistrationWatch& watch) {
-    if (Status status = checkTarget(frame); !status) return fail(status.error());
+    if (Status status =
+            checkTarget(frame, std::min(options.voxel_m, options.leaf_m.value_or(options.voxel_m / 2)));
+        !status)
+        return fail(status.error());
     const double voxel = options.voxel_m;
     const CentredSource source = SourceLevels(frame, options.leaf_m.value_or(voxel / 2)).at(0);
     if (Status status = checkSource(source); !status) return fail(status.error());

@@ -42,7 +42,9 @@ TrustRegionOptions limitsOf(const ImprovedNdtOptions& options, double voxel, boo
 Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
                                        const ImprovedNdtOptions& options, const JobControl& control,
                                        const RegistrationWatch& watch) {
-    if (Status status = checkTarget(frame); !status) return fail(status.error());
+    const double cell = TargetLevels::finestCell(options);
+    if (Status status = checkTarget(frame, std::min(cell, options.leaf_m.value_or(cell))); !status)
+        return fail(status.error());
     const TargetLevels levels(frame.target(), options);
     control.progress(0.4, "normal distributions");
     const double smallest = levels.smallest();

@@ -35,7 +35,8 @@ struct ImprovedNdtOptions {
 };
 
 /// METHOD section 3 from `initial`, one pose per voxel size, each starting from the one before.
-/// ErrorCode::untrustworthy when no source point falls into a target cell or either cloud is too small.
+/// ErrorCode::untrustworthy when either cloud is too small. Where no source point falls into a target cell
+/// the level, and the result, say so (StopReason::noOverlap).
 Result<RegistrationResult> improvedNdt(const RegistrationFrame& frame, const Similarity& initial,
                                        const ImprovedNdtOptions& options, const JobControl& control,
                                        const RegistrationWatch& watch = {});

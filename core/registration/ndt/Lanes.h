@@ -1,6 +1,7 @@
 #pragma once
 
-// Eight floats at a time, for the .cpp files of the kernels alone (docs/decisions/0007-ndt-kernel.md).
+// Eight floats at a time, for the .cpp files of the kernels alone
+// (docs/decisions/0007-ndt-kernel-and-schedule.md).
 #include <immintrin.h>
 
 namespace vestige {

@@ -28,16 +28,16 @@ double finestOf(const ImprovedNdtOptions& options) {
     return options.voxel_m.value_or(options.voxelFloor_m);
 }
 
+}  // namespace
+
 /// The publication's sizes do not nest, nor do shifted grids: their cells are merged from smaller ones.
-double baseOf(const ImprovedNdtOptions& options) {
+double TargetLevels::finestCell(const ImprovedNdtOptions& options) {
     return options.published || options.shiftedGrids > 1 ? finestOf(options) / 4 : finestOf(options);
 }
 
-}  // namespace
-
 TargetLevels::TargetLevels(std::span<const Eigen::Vector3f> target, const ImprovedNdtOptions& options)
     : options_(options),
-      pyramid_(target, baseOf(options), std::max(options.voxelStart_m, finestOf(options))) {
+      pyramid_(target, finestCell(options), std::max(options.voxelStart_m, finestOf(options))) {
     if (options.estimateNoise) {
         options_.distributions.rangeNoise_m = surfaceThickness(pyramid_.at(VoxelGrid(options.voxelStart_m)));
         notes_.push_back("Range noise of the target taken as " +

@@ -12,6 +12,8 @@ namespace vestige {
 /// The target at every voxel size that a registration goes through.
 class TargetLevels {
   public:
+    /// Edge of the smallest cells that are ever gathered.
+    static double finestCell(const ImprovedNdtOptions& options);
     TargetLevels(std::span<const Eigen::Vector3f> target, const ImprovedNdtOptions& options);
 
     /// The sizes that are registered with whole cells, from v0 down: how many, and what one of them sees,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/Parallel.h"
 #include "core/base/Random.h"
 #include "core/base/Units.h"
@@ -147,6 +149,20 @@ TEST(Register, AHandheldScanInMillimetresOnANoisyScene) {
     EXPECT_EQ(result->targetFromSource.scale, 0.001);
     EXPECT_LT(distanceAt(result->targetFromSource.pose, truth.pose, middle), 0.01);
     EXPECT_LT(turnBetween(result->targetFromSource.pose, truth.pose), 0.4);
+}
+
+TEST(Register, RefusesCellsThatCannotBeCountedAcrossTheClouds) {
+    PointCloudBuilder points;
+    for (int i = 0; i < 600; ++i) points.add({static_cast<double>(i), std::sin(i), std::cos(3 * i)});
+    const PointCloud road = std::move(points).build();
+    for (const char* method : {"improved-ndt", "ndt", "icp"}) {
+        ParameterSet parameters(registrationParameters());
+        ASSERT_TRUE(parameters.set("method", method));
+        ASSERT_TRUE(parameters.set("leaf_m", 0.0001));
+        const auto result = attemptRegistration({road, {}}, {road, {}}, {}, parameters);
+        ASSERT_FALSE(result) << method;
+        EXPECT_EQ(result.error().code, ErrorCode::usage) << method;
+    }
 }
 
 TEST(Register, ASmallThingNeedsNoOtherParameters) {
