@@ -9,10 +9,6 @@
 namespace vestige {
 namespace {
 
-/// Directions that surfaces hold have some hundred times the noise's part, those of a bare plane up to a few
-/// times.
-constexpr double kOfNoise = 10;
-
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /// Orthonormal columns of the same span: first those that turn least, among them those that rise least.
@@ -48,8 +44,7 @@ std::vector<ObservedDirection> observedDirections(const PoseInformation& informa
     Eigen::Index free = 0;
     const auto isFree = [&](Eigen::Index i) {
         const Vector6d v = solver.eigenvectors().col(i);
-        return !(sigmaOf(v) <= freeSigma_m &&
-                 solver.eigenvalues()[i] > kOfNoise * v.dot(information.noise * v));
+        return !(sigmaOf(v) <= freeSigma_m && information.holds(v));
     };
     for (Eigen::Index i = 0; i < 6; ++i)
         if (isFree(i)) vectors.col(free++) = solver.eigenvectors().col(i);

@@ -92,17 +92,37 @@ Vector6d sharedBend(const std::vector<Row>& rows) {
 
 }  // namespace
 
-Matrix6d PoseInformation::held() const {
-    // The noise's part may exceed what there is by chance: no direction is held less than not at all.
+bool PoseInformation::holds(const Vector6d& direction) const {
+    // Directions that surfaces hold have some hundred times the noise's part, those of a bare plane up to
+    // twice.
+    constexpr double kOfNoise = 10;
+    const double structure = direction.dot(hessian * direction);
+    return structure > 0 && structure > kOfNoise * direction.dot(noise * direction);
+}
+
+Matrix6d PoseInformation::heldDirections() const {
     const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(hessian);
-    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
-               solver.eigenvectors().transpose() +
-           Matrix6d::Identity() / (radius_m * radius_m);
+    Matrix6d onto = Matrix6d::Zero();
+    for (Eigen::Index i = 0; i < 6; ++i) {
+        const Vector6d v = solver.eigenvectors().col(i);
+        if (holds(v)) onto += outer(v);
+    }
+    return onto;
+}
+
+Matrix6d PoseInformation::held() const {
+    const Matrix6d onto = heldDirections();
+    return onto * hessian * onto + Matrix6d::Identity() / (radius_m * radius_m);
 }
 
 Matrix6d PoseInformation::covariance() const {
+    const Matrix6d onto = heldDirections();
     const Matrix6d inverse = held().inverse();
-    return inverse * (scatter + Matrix6d::Identity() / (radius_m * radius_m)) * inverse;
+    return inverse * (onto * scatter * onto + Matrix6d::Identity() / (radius_m * radius_m)) * inverse;
+}
+
+Vector6d PoseInformation::step() const {
+    return -held().ldlt().solve(heldDirections() * gradient);
 }
 
 PoseInformation poseInformation(std::span<const SurfaceMatch> matches, const std::vector<SurfaceCell>& cells,

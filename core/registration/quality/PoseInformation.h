@@ -21,10 +21,18 @@ struct PoseInformation {
     double sigma_m = 0;  ///< robust standard deviation of the distances (MAD)
     std::size_t clusters = 0;
 
-    /// The Hessian with a hold of one radius on every direction, so that it is positive definite.
+    /// Whether the surfaces hold a direction: ten times better than the noise of their normals seems to.
+    bool holds(const Vector6d& direction) const;
+    /// Onto the eigenvectors of the Hessian that are held; along the others noise passes for structure.
+    Matrix6d heldDirections() const;
+    /// The Hessian along those, with a hold of one radius on every direction, so that it is positive
+    /// definite.
     Matrix6d held() const;
-    /// (m^2, of p) of the least-squares pose: held^-1 (scatter + hold) held^-1.
+    /// (m^2, of p) of the least-squares pose: held^-1 (scatter + hold) held^-1, the scatter along the held
+    /// directions; a standard deviation of one radius along the others.
     Matrix6d covariance() const;
+    /// To the least-squares pose, along the held directions.
+    Vector6d step() const;
 };
 
 /// Point-to-plane least squares over the agreeing matches. A cell weighs as the inverse variance of its

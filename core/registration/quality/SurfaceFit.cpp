@@ -142,8 +142,7 @@ Pose SurfaceFit::steppedTo(Pose pose, const std::vector<SurfaceCell>& cells, dou
         const PoseInformation info =
             poseInformation(matchSurfaces(cells, pose, target_, tolerance_m), cells, cluster_m_);
         if (!(info.weight > 0)) break;
-        const Vector6d step = -info.held().ldlt().solve(info.gradient);
-        pose = stepped(pose, step, info.pivot_m, info.radius_m);
+        pose = stepped(pose, info.step(), info.pivot_m, info.radius_m);
     }
     return pose;
 }

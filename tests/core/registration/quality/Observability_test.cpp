@@ -44,6 +44,8 @@ TEST(Observability, APlaneLetsASlideTwoWaysAndATurn) {
     EXPECT_EQ(directions[0].words.substr(0, 12), "slides level");
     EXPECT_EQ(directions[1].words.substr(0, 12), "slides level");
     EXPECT_EQ(directions[2].words, "turns about the vertical axis");
+    for (int i = 0; i < 3; ++i) EXPECT_GT(directions[static_cast<std::size_t>(i)].sigma_m, 1) << i;
+    for (int i = 3; i < 6; ++i) EXPECT_LT(directions[static_cast<std::size_t>(i)].sigma_m, 0.003) << i;
     EXPECT_LT(std::abs(directions[0].direction.z()), 0.05);
 }
 

@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 
 #include "core/base/Parallel.h"
+#include "core/base/Random.h"
 #include "core/base/Units.h"
+#include "core/geometry/PointCloudBuilder.h"
 #include "core/registration/Register.h"
 #include "core/simulation/TripodPair.h"
 
@@ -101,6 +103,35 @@ TEST(Verdict, ABareRoadIsNotAcceptedAndSaysWhichWayItSlides) {
     const Eigen::Vector3d alongRoad = pair.siteFromTarget.linear().transpose() * Eigen::Vector3d::UnitX();
     EXPECT_GT(std::abs(least.direction.head<3>().normalized().dot(alongRoad)), 0.9);
     EXPECT_EQ(least.words.substr(0, 12), "slides level");
+}
+
+TEST(Verdict, AFlatRoadNamesTheThreeWaysThatNothingHolds) {
+    const auto road = [](double length, double width, std::uint64_t seed) {
+        Random random(seed);
+        PointCloudBuilder builder{Eigen::Vector3d::Zero()};
+        for (int i = 0; i < 30000; ++i) {
+            const double x = random.uniform(-length / 2, length / 2);
+            const double y = random.uniform(-width / 2, width / 2);
+            builder.add({x, y, random.normal(0, 0.003)});
+        }
+        return std::move(builder).build();
+    };
+    Pose start = Pose::Identity();
+    start.translation() << 0.1, 0.05, 0.01;
+    const auto result = attemptRegistration({road(30, 8, 1), {}}, {road(6, 5, 2), {}}, {start, 1},
+                                            ParameterSet{registrationParameters()});
+    ASSERT_TRUE(result) << result.error().sentence();
+    EXPECT_EQ(result->verdict, Verdict::doubtful);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const ObservedDirection& one = result->quality->directions[i];
+        EXPECT_EQ(one.free, i < 3) << one.words;
+        if (one.free)
+            EXPECT_GT(one.sigma_m, 1) << one.words;  // noise is no structure
+        else
+            EXPECT_LT(one.sigma_m, 0.002) << one.words;
+    }
+    EXPECT_LT(std::abs(result->quality->directions[0].direction.z()), 0.05);
+    EXPECT_EQ(result->quality->directions[2].words, "turns about the vertical axis");
 }
 
 TEST(Verdict, IsTheSameBitsForAnyThreadCount) {
