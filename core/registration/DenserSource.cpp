@@ -1,6 +1,7 @@
 #include "core/registration/DenserSource.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/registration/FindPose.h"
@@ -22,6 +23,7 @@ constexpr double kLargest = 1.0 / 8;
 constexpr double kStartPerCell = 4;  // v0 reaches 2 sigma of the first pose to either side
 constexpr double kLevels = 4;        // v0 is at least as many v_n
 constexpr std::size_t kModelPoints = 300000;
+constexpr std::size_t kMovedPoints = 100000;
 constexpr std::size_t kFewestPoints = 100;
 
 /// The target's points within `margin` (target units) of the placed source's bounds.
@@ -68,11 +70,14 @@ std::optional<Result<RegistrationResult>> findPoseOnDenserSource(
     if (!applies(parameters)) return std::nullopt;
     const PointCloud model = everySo(source, kModelPoints);
     const double radius_m = initial.scale * surfaceRadius(model);
-    const PointCloud near = pointsRound(target, model, initial, kMarginOfRadius * radius_m);
-    if (near.size() < kFewestPoints || near.size() > model.size()) return std::nullopt;
-    const Grain there = grainOf(near, 1, radius_m / kGrainCells);
-    const Grain here = grainOf(model, initial.scale, radius_m / kGrainCells);
-    if (!(kTimesFiner * here.spacing_m < there.spacing_m)) return std::nullopt;
+    const PointCloud round = pointsRound(target, model, initial, kMarginOfRadius * radius_m);
+    if (round.size() < kFewestPoints) return std::nullopt;
+    const Grain there = grainOf(round, 1, radius_m / kGrainCells);
+    const double spacing_m =
+        grainOf(model, initial.scale, radius_m / kGrainCells).spacing_m *
+        std::sqrt(static_cast<double>(model.size()) / static_cast<double>(source.size()));
+    if (!(kTimesFiner * spacing_m < there.spacing_m)) return std::nullopt;
+    const PointCloud near = everySo(round, kMovedPoints);
 
     ParameterSet swapped = parameters;
     const double voxel_m = std::clamp(std::max(kSpacings * there.spacing_m, kThicknesses * there.thickness_m),

@@ -148,7 +148,7 @@ struct ScannedLot {
 
 std::shared_ptr<const ScannedLot> scannedLot(const CarScene& scene, std::uint64_t number) {
     auto lot = std::make_shared<ScannedLot>();
-    Survey survey = surveyOf(scene, number, true, scene.absent ? 0.1 : scene.seconds);
+    Survey survey = surveyOf(scene, number, true, scene.seconds);
     const Similarity worldFromSite{Pose(Eigen::Translation3d(survey.worldFromSite)), 1};
     const HandheldScan& scan = survey.handheld.at(0).scan;
     lot->truth = worldFromSite * scan.siteFromLayer;
