@@ -74,6 +74,21 @@ IcpOptions icpOptions(const ParameterSet& parameters, double sourceRadius_m) {
             static_cast<int>(parameters.integer("max_iterations"))};
 }
 
+/// A sentence for each parameter that the user set and that the method has no use for.
+std::vector<std::string> withoutEffect(const ParameterSet& parameters) {
+    const std::string& method = parameters.text("method");
+    std::vector<const char*> unused;
+    if (method == "ndt" || method == "icp") unused = {"voxel_start_m", "trust_radius_m"};
+    if (method == "icp")
+        for (const char* key : {"damping", "gradient_limit", "outlier_ratio", "flatness"})
+            unused.push_back(key);
+    std::vector<std::string> notes;
+    for (const char* key : unused)
+        if (!parameters.isDefault(key))
+            notes.push_back("--" + parameters.find(key)->flag + " has no effect with the method " + method);
+    return notes;
+}
+
 }  // namespace
 
 Result<RegistrationResult> findPose(const PointCloud& target, const PointCloud& source,
@@ -96,6 +111,7 @@ Result<RegistrationResult> findPose(const PointCloud& target, const PointCloud& 
                           : improvedNdt(frame, initial, ndt, control, watch);
     if (!result) return result;
     result->method = method;
+    for (std::string& note : withoutEffect(parameters)) result->notes.push_back(std::move(note));
     result->initial = initial;
     result->radius_m = radius;
     return result;

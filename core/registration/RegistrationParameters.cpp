@@ -68,7 +68,7 @@ const ParameterTable& registrationParameters() {
          100.0,
          {},
          "One source point per voxel of this edge; automatic: the smallest voxel, half of it as published "
-         "and for ndt (ICP: an eighth)."},
+         "and for ndt (ICP: an eighth). A sparse source is thinned further, to some four points per voxel."},
         {"outlier_ratio",
          "outlier-ratio",
          "Outlier ratio",

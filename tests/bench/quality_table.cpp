@@ -82,6 +82,11 @@ void coverage(int trials, std::uint64_t seed, std::size_t points) {
         metres << 1, 1, 1, Eigen::Vector3d::Constant(result->quality->radius_m);
         const Matrix6d scaled = metres.asDiagonal() * uncertainty.covariance * metres.asDiagonal();
         const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(scaled);
+        if (!(axes.eigenvalues()[0] > 0)) {
+            std::printf("seed %llu: the covariance is not positive definite\n",
+                        static_cast<unsigned long long>(one));
+            continue;
+        }
         for (int axis = 0; axis < 6; ++axis)
             ratios.push_back(std::abs(axes.eigenvectors().col(axis).dot(metres.cwiseProduct(error))) /
                              std::sqrt(axes.eigenvalues()[axis]));

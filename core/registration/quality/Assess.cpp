@@ -18,7 +18,7 @@ namespace vestige {
 namespace {
 
 /// What the sandwich leaves out, found on simulated pairs with truth (docs/decisions/0009).
-constexpr double kVarianceScale = 0.95;
+constexpr double kVarianceScale = 0.8;
 /// Of the finest cell: how well cells of that size can stand for a surface at all.
 constexpr double kCellError = 1.1e-4;
 /// Of the squared step between the two fits: it holds the errors of both.

@@ -100,29 +100,44 @@ bool PoseInformation::holds(const Vector6d& direction) const {
     return structure > 0 && structure > kOfNoise * direction.dot(noise * direction);
 }
 
-Matrix6d PoseInformation::heldDirections() const {
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(hessian);
-    Matrix6d onto = Matrix6d::Zero();
-    for (Eigen::Index i = 0; i < 6; ++i) {
-        const Vector6d v = solver.eigenvectors().col(i);
-        if (holds(v)) onto += outer(v);
-    }
-    return onto;
-}
+namespace {
 
-Matrix6d PoseInformation::held() const {
-    const Matrix6d onto = heldDirections();
-    return onto * hessian * onto + Matrix6d::Identity() / (radius_m * radius_m);
-}
+/// The directions of the Hessian, what holds each (1 / m^2, the hold of one radius in it), and whether
+/// surfaces do. Sums and inverses are taken there: hundreds of square metres beside a millionth lose all
+/// digits elsewhere.
+struct Directions {
+    Matrix6d vectors;
+    Vector6d hold;
+    Vector6d bySurfaces;  ///< 1 or 0
+
+    explicit Directions(const PoseInformation& information) {
+        const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(information.hessian);
+        vectors = solver.eigenvectors();
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            bySurfaces[i] = information.holds(vectors.col(i)) ? 1 : 0;
+            hold[i] =
+                bySurfaces[i] * solver.eigenvalues()[i] + 1 / (information.radius_m * information.radius_m);
+        }
+    }
+};
+
+}  // namespace
 
 Matrix6d PoseInformation::covariance() const {
-    const Matrix6d onto = heldDirections();
-    const Matrix6d inverse = held().inverse();
-    return inverse * (onto * scatter * onto + Matrix6d::Identity() / (radius_m * radius_m)) * inverse;
+    const Directions directions(*this);
+    const Matrix6d onto = directions.bySurfaces.asDiagonal();
+    const Matrix6d inside = onto * directions.vectors.transpose() * scatter * directions.vectors * onto +
+                            Matrix6d::Identity() / (radius_m * radius_m);
+    const Matrix6d inverse = directions.hold.cwiseInverse().asDiagonal();
+    const Matrix6d covariance =
+        directions.vectors * (inverse * inside * inverse) * directions.vectors.transpose();
+    return 0.5 * (covariance + covariance.transpose());
 }
 
 Vector6d PoseInformation::step() const {
-    return -held().ldlt().solve(heldDirections() * gradient);
+    const Directions directions(*this);
+    const Vector6d along = directions.vectors.transpose() * gradient;
+    return -directions.vectors * along.cwiseProduct(directions.bySurfaces).cwiseQuotient(directions.hold);
 }
 
 PoseInformation poseInformation(std::span<const SurfaceMatch> matches, const std::vector<SurfaceCell>& cells,

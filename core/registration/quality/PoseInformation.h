@@ -23,13 +23,9 @@ struct PoseInformation {
 
     /// Whether the surfaces hold a direction: ten times better than the noise of their normals seems to.
     bool holds(const Vector6d& direction) const;
-    /// Onto the eigenvectors of the Hessian that are held; along the others noise passes for structure.
-    Matrix6d heldDirections() const;
-    /// The Hessian along those, with a hold of one radius on every direction, so that it is positive
-    /// definite.
-    Matrix6d held() const;
-    /// (m^2, of p) of the least-squares pose: held^-1 (scatter + hold) held^-1, the scatter along the held
-    /// directions; a standard deviation of one radius along the others.
+    /// (m^2, of p) of the least-squares pose: H^-1 (scatter + hold) H^-1, H the Hessian with a hold of one
+    /// radius on every direction. Along the eigenvectors that surfaces do not hold noise passes for
+    /// structure: there the standard deviation is one radius. Positive definite.
     Matrix6d covariance() const;
     /// To the least-squares pose, along the held directions.
     Vector6d step() const;

@@ -165,6 +165,23 @@ TEST(Register, RefusesCellsThatCannotBeCountedAcrossTheClouds) {
     }
 }
 
+TEST(Register, SaysWhichParametersAMethodHasNoUseFor) {
+    const TriangleMesh car{test::carSurface(2000, 0, 1), {}};
+    const auto notesOf = [&](const char* method) {
+        ParameterSet parameters(registrationParameters());
+        EXPECT_TRUE(parameters.set("method", method));
+        EXPECT_TRUE(parameters.set("flatness", 0.02));
+        EXPECT_TRUE(parameters.set("restarts", std::int64_t{0}));
+        const auto result = attemptRegistration(car, car, {}, parameters);
+        std::string text;
+        if (result)
+            for (const std::string& note : result->notes) text += note + "\n";
+        return text;
+    };
+    EXPECT_NE(notesOf("icp").find("--flatness has no effect"), std::string::npos);
+    EXPECT_EQ(notesOf("improved-ndt").find("no effect"), std::string::npos);
+}
+
 TEST(Register, ASmallThingNeedsNoOtherParameters) {
     // The same body 0.2 m long.
     const Similarity shrink{Pose::Identity(), 0.2 / 4.5};

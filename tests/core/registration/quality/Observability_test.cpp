@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include "core/base/Random.h"
 #include "core/registration/quality/DirectionWords.h"
@@ -120,6 +122,28 @@ TEST(Observability, TheSpreadOfACornersFitsIsWhatItsCovarianceSays) {
     }
     EXPECT_GT(squared / kDraws, 0.2);
     EXPECT_LT(squared / kDraws, 2.5);
+}
+
+TEST(PoseInformation, StaysPositiveDefiniteBesideADirectionThatNothingHolds) {
+    Random random(3);
+    Matrix6d axes;
+    for (double& value : axes.reshaped()) value = random.normal();
+    const Matrix6d turn = Eigen::HouseholderQR<Matrix6d>(axes).householderQ();
+    Vector6d strength;
+    strength << 1e-3, 3e6, 1e7, 5e7, 2e8, 2e9;
+    PoseInformation information;
+    information.radius_m = 18;
+    information.hessian = turn * strength.asDiagonal() * turn.transpose();
+    information.noise = 1e-2 * Matrix6d::Identity();
+    information.scatter = 1e7 * Matrix6d::Identity();
+    const Matrix6d covariance = information.covariance();
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(covariance);
+    EXPECT_EQ((covariance - covariance.transpose()).norm(), 0);
+    EXPECT_NEAR(std::sqrt(solver.eigenvalues()[5]), 18, 1e-6) << "one radius where nothing holds it";
+    for (int i = 0; i < 5; ++i) {
+        const double expected = 1e7 / (strength[5 - i] * strength[5 - i]);
+        EXPECT_NEAR(solver.eigenvalues()[i] / expected, 1, 0.01) << i;
+    }
 }
 
 }  // namespace vestige
