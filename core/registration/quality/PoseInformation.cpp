@@ -95,7 +95,7 @@ Vector6d sharedBend(const std::vector<Row>& rows) {
 bool PoseInformation::holds(const Vector6d& direction) const {
     // Directions that surfaces hold have some hundred times the noise's part, those of a bare plane up to
     // twice.
-    constexpr double kOfNoise = 10;
+    constexpr double kOfNoise = 4;
     const double structure = direction.dot(hessian * direction);
     return structure > 0 && structure > kOfNoise * direction.dot(noise * direction);
 }
