@@ -212,7 +212,7 @@ const ParameterTable& registrationParameters() {
          "Seen through of a doubt",
          "",
          real,
-         0.015,
+         0.04,
          0.0,
          1.0,
          {},

@@ -27,8 +27,15 @@ struct Deviation {
     }
 };
 
+/// Where most of the source lies; the middle of its bounds may be where nothing is.
+Eigen::Vector3d middleOf(const PointCloud& cloud) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < cloud.size(); ++i) sum += cloud.point(i);
+    return sum / static_cast<double>(cloud.size());
+}
+
 Deviation deviation(const Similarity& found, const Similarity& expected, const PointCloud& source) {
-    const Eigen::Vector3d middle = source.bounds().centre();
+    const Eigen::Vector3d middle = middleOf(source);
     return {(found * middle - expected * middle).norm(),
             degrees(rotationAngle(found.pose.linear().transpose() * expected.pose.linear())),
             std::abs(found.scale / expected.scale - 1) < 1e-6};

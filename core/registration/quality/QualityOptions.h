@@ -11,7 +11,7 @@ struct QualityOptions {
     double failedSupport = 0.03;          ///< below: failed
     double doubtfulSupport = 0.12;        ///< below: doubtful
     double freeSigma_m = 0.1;             ///< standard deviation of a direction that counts as free
-    double doubtfulSeenThrough = 0.015;   ///< share of surface that a scanner saw through; above: doubtful
+    double doubtfulSeenThrough = 0.04;    ///< share of surface that a scanner saw through; above: doubtful
     double failedSeenThrough = 0.1;       ///< above: failed
     double doubtfulUncertainty_m = 0.08;  ///< half axis of the 95 % ellipsoid of the source's middle
     double doubtfulTurn_deg = 0.8;        ///< and of the rotation

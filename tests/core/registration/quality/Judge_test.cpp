@@ -64,8 +64,8 @@ TEST(Judge, SupportBelowItsThresholds) {
 
 TEST(Judge, SurfaceThatAScannerSawThrough) {
     Case one;
-    one.evidence.through = 0.02;
-    expect(one, Verdict::doubtful, "seen through the place of 2.0 % of the surface");
+    one.evidence.through = 0.05;
+    expect(one, Verdict::doubtful, "seen through the place of 5.0 % of the surface");
     one.evidence.through = 0.2;
     expect(one, Verdict::failed, "20.0 %");
     one.evidence.through = kNotANumber;
