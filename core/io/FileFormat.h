@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,13 +13,15 @@
 #include "core/base/Result.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/io/FileInfo.h"
+#include "core/io/ReadOptions.h"
 
 namespace vestige {
 
 /// What a reader returns: points (and triangles) in the file's own unit, and what the file says about itself.
 struct LoadedGeometry {
     TriangleMesh geometry;
-    FileInfo info;
+    FileInfo info;        ///< `attributes` are those of the file, whichever of them were read
+    bool heeded = false;  ///< the reader itself left out what the ReadOptions leave out
 };
 
 struct WriteOptions {
@@ -41,7 +44,15 @@ class FileFormat {
 
     /// What the file says about itself, checked against its points; by default what read() finds.
     virtual Result<FileInfo> info(const std::filesystem::path& file, const JobControl& control) const;
-    virtual Result<LoadedGeometry> read(const std::filesystem::path& file,
+    /// What can be told without reading the points, for open dialogs and memory estimates: at once for
+    /// formats whose header says it. By default only path, format and nothing else (points 0).
+    virtual Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const;
+    /// About `points` of the file's points, spread over it and exact, in a fraction of the time that read()
+    /// takes: the first picture. Nothing where the format offers no such short cut.
+    virtual Result<std::optional<LoadedGeometry>> preview(const std::filesystem::path& file,
+                                                          std::size_t points,
+                                                          const JobControl& control) const;
+    virtual Result<LoadedGeometry> read(const std::filesystem::path& file, const ReadOptions& options,
                                         const JobControl& control) const = 0;
     /// Atomic: beside, then rename. ErrorCode::output on failure.
     virtual Status write(const std::filesystem::path& file, const TriangleMesh& geometry,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/BoundingBox.h"
+#include "core/geometry/Pose.h"
 
 namespace vestige {
 
@@ -20,6 +21,29 @@ struct CrsRecord {
     std::string description;
     std::vector<std::uint8_t> bytes;
     bool extended = false;  ///< from an EVLR
+};
+
+/// One of the scans that a file keeps apart (E57, PTX). Its points carry its number, from 1, as their point
+/// source, and are in the file's frame.
+struct ScanInfo {
+    std::string name;
+    std::string guid;
+    std::uint64_t points = 0;
+    Pose fileFromScan;  ///< where the scanner stood; identity where the file does not say
+    std::string sensorVendor;
+    std::string sensorModel;
+    std::string sensorSerial;
+};
+
+/// A photograph or panorama inside a file.
+struct ImageInfo {
+    std::string name;
+    std::string projection;  ///< "pinhole", "spherical", "cylindrical", "visual reference"
+    std::string format;      ///< "jpeg", "png"
+    std::uint64_t bytes = 0;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::optional<Pose> fileFromImage;
 };
 
 /// What a file says about itself; `info` prints it, writers carry on what their format can hold.
@@ -40,8 +64,12 @@ struct FileInfo {
     std::optional<std::pair<double, double>> timeSpan;   ///< GPS time, s
     std::optional<std::pair<int, int>> creationDayYear;  ///< LAS: day of year, year
     std::string generatingSoftware;
+    std::optional<double> metresPerUnit;  ///< where the format fixes or names the unit of its coordinates
+    std::vector<ScanInfo> scans;          ///< of formats that keep scans apart
+    std::vector<ImageInfo> images;
     std::vector<std::string> warnings;  ///< what was skipped or repaired while reading
-    std::string sha256;                 ///< filled where the whole file was read for it
+    std::string damage;  ///< of a salvaged file: what is missing, a sentence for the report; empty when whole
+    std::string sha256;  ///< filled where the whole file was read for it
 };
 
 }  // namespace vestige

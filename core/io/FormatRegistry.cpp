@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/Hash.h"
+#include "core/io/ApplyReadOptions.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -118,11 +119,19 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     return info;
 }
 
-Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const JobControl& control) {
+Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    Result<LoadedGeometry> geometry = (*format)->read(file, control);
+    return (*format)->peek(file, control);
+}
+
+Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const ReadOptions& options,
+                                    const JobControl& control) {
+    const Result<const FileFormat*> format = formatOfFile(file);
+    if (!format) return fail(format.error());
+    Result<LoadedGeometry> geometry = (*format)->read(file, options, control);
     if (!geometry) return geometry;
+    applyReadOptions(options, *geometry);
     if (const Status finite = checkFinite(file, geometry->geometry.vertices); !finite)
         return fail(finite.error());
     control.progress(1, "reading");

@@ -69,7 +69,8 @@ Result<FileInfo> LasFormat::info(const std::filesystem::path& file, const JobCon
     });
 }
 
-Result<LoadedGeometry> LasFormat::read(const std::filesystem::path& file, const JobControl& control) const {
+Result<LoadedGeometry> LasFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+                                       const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());

@@ -12,7 +12,8 @@ class LasFormat : public FileFormat {
     bool canWrite() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
     Result<FileInfo> info(const std::filesystem::path& file, const JobControl& control) const override;
-    Result<LoadedGeometry> read(const std::filesystem::path& file, const JobControl& control) const override;
+    Result<LoadedGeometry> read(const std::filesystem::path& file, const ReadOptions& options,
+                                const JobControl& control) const override;
     Status write(const std::filesystem::path& file, const TriangleMesh& geometry, const WriteOptions& options,
                  const JobControl& control) const override;
 };

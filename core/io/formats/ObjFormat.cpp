@@ -154,7 +154,8 @@ bool ObjFormat::recognises(std::span<const std::byte>, std::string_view) const {
     return false;  // OBJ has no signature; the extension says so
 }
 
-Result<LoadedGeometry> ObjFormat::read(const std::filesystem::path& file, const JobControl& control) const {
+Result<LoadedGeometry> ObjFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+                                       const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());

@@ -63,7 +63,8 @@ bool PcdFormat::recognises(std::span<const std::byte> head, std::string_view) co
            (text.starts_with("FIELDS ") && text.find("\nSIZE ") != std::string_view::npos);
 }
 
-Result<LoadedGeometry> PcdFormat::read(const std::filesystem::path& file, const JobControl& control) const {
+Result<LoadedGeometry> PcdFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+                                       const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());

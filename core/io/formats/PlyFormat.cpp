@@ -63,7 +63,8 @@ bool PlyFormat::recognises(std::span<const std::byte> head, std::string_view) co
            (head[3] == std::byte{'\n'} || head[3] == std::byte{'\r'} || head[3] == std::byte{' '});
 }
 
-Result<LoadedGeometry> PlyFormat::read(const std::filesystem::path& file, const JobControl& control) const {
+Result<LoadedGeometry> PlyFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+                                       const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());

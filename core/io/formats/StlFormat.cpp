@@ -86,7 +86,8 @@ bool StlFormat::recognises(std::span<const std::byte> head, std::string_view ext
     return extension == "stl" || (text.starts_with("solid") && text.find("facet") != std::string_view::npos);
 }
 
-Result<LoadedGeometry> StlFormat::read(const std::filesystem::path& file, const JobControl& control) const {
+Result<LoadedGeometry> StlFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+                                       const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());

@@ -82,7 +82,8 @@ bool TextFormat::recognises(std::span<const std::byte>, std::string_view) const 
     return false;  // any text could be points; the extension says so
 }
 
-Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const JobControl& control) const {
+Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+                                        const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());

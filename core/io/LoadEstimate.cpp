@@ -1,0 +1,78 @@
+#include "core/io/LoadEstimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace vestige {
+namespace {
+
+/// Position, colour and intensity; then the index and what its sorting takes for a while.
+constexpr std::uint64_t kDrawnBytes = 20;
+constexpr std::uint64_t kOtherAttributesBytes = 13;
+constexpr std::uint64_t kIndexPeakBytes = 22;
+constexpr std::uint64_t kTriangleBytes = 12;
+/// Left to the rest of the machine.
+constexpr double kShareToUse = 0.85;
+
+std::uint64_t numberIn(const char* file) {
+    std::ifstream stream(file);
+    std::uint64_t number = 0;
+    return stream >> number ? number : std::numeric_limits<std::uint64_t>::max();
+}
+
+std::string gigabytes(std::uint64_t bytes) {
+    const auto tenths = static_cast<std::uint64_t>(std::llround(static_cast<double>(bytes) / 1e8));
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
+}
+
+std::string grouped(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), " ");
+    return digits;
+}
+
+}  // namespace
+
+std::string LoadEstimate::sentence() const {
+    return grouped(points) + " points need " + gigabytes(bytes) + " of memory, " + gigabytes(availableBytes) +
+           " are free";
+}
+
+LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options) {
+    LoadEstimate estimate;
+    const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
+    estimate.points = (peeked.points + every - 1) / every;
+    std::uint64_t perPoint = kDrawnBytes + kIndexPeakBytes;
+    if (options.attributes == ReadOptions::Attributes::all) perPoint += kOtherAttributesBytes;
+    estimate.bytes = estimate.points * perPoint + peeked.triangles * kTriangleBytes;
+    estimate.availableBytes = availableMemory();
+    const double usable = kShareToUse * static_cast<double>(estimate.availableBytes);
+    if (static_cast<double>(estimate.bytes) > usable) {
+        const double needed =
+            std::ceil(static_cast<double>(peeked.points * perPoint) / std::max(usable, 1.0));
+        estimate.keepEveryToFit = static_cast<std::uint32_t>(std::min(needed, 4e9));
+    }
+    return estimate;
+}
+
+std::uint64_t availableMemory() {
+    std::uint64_t available = std::numeric_limits<std::uint64_t>::max();
+    std::ifstream memory("/proc/meminfo");
+    std::string word;
+    while (memory >> word) {
+        if (word != "MemAvailable:") continue;
+        std::uint64_t kibibytes = 0;
+        if (memory >> kibibytes) available = 1024 * kibibytes;
+        break;
+    }
+    const std::uint64_t limit = numberIn("/sys/fs/cgroup/memory.max");
+    const std::uint64_t used = numberIn("/sys/fs/cgroup/memory.current");
+    if (limit != std::numeric_limits<std::uint64_t>::max() && used < limit)
+        available = std::min(available, limit - used);
+    return available;
+}
+
+}  // namespace vestige
