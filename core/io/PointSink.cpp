@@ -122,7 +122,7 @@ void PointSink::finishColors() {
     float largest = 0;
     for (const Eigen::Vector3f& color : undecidedColors_) largest = std::max(largest, color.maxCoeff());
     const double scale = largest <= 1 ? 65535.0 : largest <= 255 ? 257.0 : 1.0;
-    std::vector<Color>& colors = builder_.attributes().color;
+    LargeArray<Color>& colors = builder_.attributes().color;
     colors.reserve(undecidedColors_.size());
     for (const Eigen::Vector3f& color : undecidedColors_) {
         Color& stored = colors.emplace_back();

@@ -26,7 +26,8 @@ std::string fieldText(std::span<const std::byte> bytes) {
 
 class HeaderParser {
   public:
-    HeaderParser(std::span<const std::byte> file, ReadJob& job) : file_(file), job_(job) {}
+    HeaderParser(std::span<const std::byte> file, ReadJob& job, bool salvage)
+        : file_(file), job_(job), salvage_(salvage) {}
 
     LasHeader parse() {
         if (file_.size() < 4 || fieldText(file_.first(4)) != "LASF")
@@ -97,11 +98,14 @@ class HeaderParser {
         if (header_.versionMinor >= 4)
             if (const auto extended = at<std::uint64_t>(247); extended != 0) header_.points = extended;
         const std::size_t available = file_.size() - header_.pointOffset;
-        if (!header_.compressed && header_.points > available / header_.recordLength)
+        header_.promisedPoints = header_.points;
+        if (header_.compressed || header_.points <= available / header_.recordLength) return;
+        header_.points = available / header_.recordLength;
+        if (!salvage_)
             job_.refuseByte(header_.pointOffset,
-                            "the header promises " + std::to_string(header_.points) + " points of " +
+                            "the header promises " + std::to_string(header_.promisedPoints) + " points of " +
                                 std::to_string(header_.recordLength) + " bytes, but the file has room for " +
-                                std::to_string(available / header_.recordLength),
+                                std::to_string(header_.points),
                             "a file that is whole");
     }
 
@@ -164,6 +168,7 @@ class HeaderParser {
 
     std::span<const std::byte> file_;
     ReadJob& job_;
+    bool salvage_;
     LasHeader header_;
 };
 
@@ -191,8 +196,8 @@ const LasRecord* LasHeader::find(std::string_view userId, std::uint16_t recordId
     return found == records.end() ? nullptr : &*found;
 }
 
-LasHeader parseLasHeader(std::span<const std::byte> file, ReadJob& job) {
-    return HeaderParser(file, job).parse();
+LasHeader parseLasHeader(std::span<const std::byte> file, ReadJob& job, bool salvage) {
+    return HeaderParser(file, job, salvage).parse();
 }
 
 }  // namespace vestige
