@@ -46,13 +46,12 @@ PointCloud::PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offse
 }
 
 PointCloud::PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets,
-                       const CoordinateGrid& grid, PointAttributes attributes)
+                       const CoordinateGrid& grid, const BoundingBox& bounds, PointAttributes attributes)
     : origin_(std::move(origin)),
       offsets_(std::move(offsets)),
       grid_(grid),
-      attributes_(std::move(attributes)) {
-    findBounds();
-}
+      attributes_(std::move(attributes)),
+      bounds_(bounds) {}
 
 void PointCloud::findBounds() {
     std::vector<BoundingBox> parts((size() + kGrain - 1) / kGrain);
@@ -77,8 +76,14 @@ void PointCloud::findBounds() {
 }
 
 PointCloud PointCloud::select(std::span<const std::uint32_t> indices) const {
-    if (grid_) return {origin_, selected(offsets_, indices), *grid_, attributes_.select(indices)};
-    return {origin_, selected(offsets_, indices), selected(residuals_, indices), attributes_.select(indices)};
+    PointCloud chosen;
+    chosen.origin_ = origin_;
+    chosen.offsets_ = selected(offsets_, indices);
+    chosen.residuals_ = selected(residuals_, indices);
+    chosen.grid_ = grid_;
+    chosen.attributes_ = attributes_.select(indices);
+    chosen.findBounds();
+    return chosen;
 }
 
 PointCloud PointCloud::transformed(const Similarity& toFromHere) const {

@@ -43,9 +43,10 @@ class PointCloud {
     /// origin.
     PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets,
                LargeArray<Eigen::Vector3f> residuals, PointAttributes attributes);
-    /// A cloud whose points lie on a grid that float offsets can tell (CoordinateGrid::heldByFloats).
+    /// A cloud whose points lie on a grid that float offsets can tell (CoordinateGrid::heldByFloats), all
+    /// finite, within the box `bounds`, which they fill.
     PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets, const CoordinateGrid& grid,
-               PointAttributes attributes);
+               const BoundingBox& bounds, PointAttributes attributes);
 
     std::size_t size() const { return offsets_.size(); }
     bool empty() const { return offsets_.empty(); }
@@ -62,6 +63,9 @@ class PointCloud {
         if (!residuals_.empty()) world += residuals_[i].cast<double>();
         return world;
     }
+
+    /// The grid of its file, where it is held by it; such a cloud has no residuals.
+    const std::optional<CoordinateGrid>& grid() const { return grid_; }
 
     const PointAttributes& attributes() const { return attributes_; }
     /// World bounds; empty for an empty cloud.

@@ -53,6 +53,7 @@ Result<std::vector<std::byte>> headOf(const std::filesystem::path& file) {
 }
 
 Status checkFinite(const std::filesystem::path& file, const PointCloud& cloud) {
+    if (cloud.grid()) return {};
     for (std::size_t i = 0; i < cloud.size(); ++i)
         if (!cloud.point(i).allFinite())
             return fail(ErrorCode::input,

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/Parallel.h"
 #include "core/io/formats/LasSource.h"
@@ -7,23 +6,20 @@
 namespace vestige {
 namespace {
 
-/// What a range found out on its way.
-struct Notes {
-    std::uint64_t withheld = 0;
-    std::uint16_t brightest = 0;
-
-    void add(const LasPoint& point) {
-        withheld += point.withheld ? 1 : 0;
-        brightest = std::max({brightest, point.color[0], point.color[1], point.color[2]});
-    }
-};
-
 bool inside(const BoundingBox& box, const Eigen::Vector3d& place) {
     return (place.array() >= box.min.array()).all() && (place.array() <= box.max.array()).all();
 }
 
+LasNotes sumOf(std::span<const LasNotes> parts) {
+    LasNotes sum;
+    for (const LasNotes& part : parts) sum.add(part);
+    return sum;
+}
+
 /// Every point's place is known before: threads fill the cloud directly.
-void gatherAll(LasSource& source, std::span<const LasRange> ranges, std::uint64_t every, LasCloud& cloud) {
+LasNotes gatherAll(LasSource& source, std::span<const LasRange> ranges, const ReadOptions& options,
+                   LasCloud& cloud, bool exact) {
+    const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
     std::vector<std::uint64_t> bases;
     std::uint64_t total = 0;
     for (const LasRange& range : ranges) {
@@ -31,34 +27,40 @@ void gatherAll(LasSource& source, std::span<const LasRange> ranges, std::uint64_
         total += range.size();
     }
     cloud.resize((total + every - 1) / every);
-    std::vector<Notes> notes(ranges.size());
+    std::vector<LasNotes> notes(ranges.size());
+    const bool bare = !source.header().compressed && every == 1 && !exact &&
+                      options.attributes == ReadOptions::Attributes::drawn;
+    if (bare) {
+        source.readRecords(
+            ranges, [&](std::size_t range, std::uint64_t first, const std::byte* records, std::size_t count) {
+                cloud.setRecords(bases[range] + (first - ranges[range].begin), records, count, notes[range]);
+            });
+        return sumOf(notes);
+    }
     const std::uint64_t whole =
         source.read(ranges, [&](std::size_t range, std::uint64_t first, std::span<const LasPoint> points) {
             std::uint64_t place = bases[range] + (first - ranges[range].begin);
-            Notes& own = notes[range];
             for (const LasPoint& point : points) {
-                if (every == 1) {
-                    cloud.set(place, point);
-                    own.add(point);
-                } else if (place % every == 0) {
+                if (place % every == 0) {
                     cloud.set(place / every, point);
-                    own.add(point);
+                    notes[range].add(point);
                 }
                 ++place;
             }
         });
     if (whole < total) cloud.resize((whole + every - 1) / every);
-    for (const Notes& own : notes) cloud.note(own.withheld, own.brightest);
+    return sumOf(notes);
 }
 
 /// Which points lie in the box is known only after they were read.
-void gatherInside(LasSource& source, std::span<const LasRange> ranges, const BoundingBox& box,
-                  std::uint64_t every, LasCloud& cloud) {
+LasNotes gatherInside(LasSource& source, std::span<const LasRange> ranges, const ReadOptions& options,
+                      LasCloud& cloud) {
+    const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
     std::vector<std::vector<std::pair<std::uint64_t, LasPoint>>> found(ranges.size());
     const std::uint64_t whole =
         source.read(ranges, [&](std::size_t range, std::uint64_t first, std::span<const LasPoint> points) {
             for (std::size_t i = 0; i < points.size(); ++i)
-                if (inside(box, lasPosition(source.header(), points[i].steps)))
+                if (inside(*options.box, lasPosition(source.header(), points[i].steps)))
                     found[range].emplace_back(first + i, points[i]);
         });
     std::uint64_t place = 0;
@@ -73,7 +75,7 @@ void gatherInside(LasSource& source, std::span<const LasRange> ranges, const Bou
     }
     cloud.resize((place + every - 1) / every);
     place = 0;
-    Notes notes;
+    LasNotes notes;
     for (auto& part : found) {
         for (const auto& [index, point] : part) {
             if (place % every == 0) {
@@ -84,20 +86,41 @@ void gatherInside(LasSource& source, std::span<const LasRange> ranges, const Bou
         }
         part = {};
     }
-    cloud.note(notes.withheld, notes.brightest);
+    return notes;
+}
+
+Eigen::Vector3d wholeUnits(const Eigen::Vector3d& place) {
+    return place.array().round().matrix();
+}
+
+/// Where the header says that the points are; where that makes no sense, the zero of their steps.
+Eigen::Vector3d likelyOrigin(const LasHeader& header) {
+    const Eigen::Vector3d middle = header.bounds.centre();
+    return wholeUnits(middle.allFinite() ? middle : header.offset);
 }
 
 }  // namespace
 
 PointCloud gatherLas(LasSource& source, std::span<const LasRange> ranges, const ReadOptions& options,
                      ReadJob& job) {
-    LasCloud cloud(source.header(), options.attributes);
-    const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
-    if (options.box)
-        gatherInside(source, ranges, *options.box, every, cloud);
-    else
-        gatherAll(source, ranges, every, cloud);
-    return std::move(cloud).build(job);
+    const LasHeader& header = source.header();
+    const auto gather = [&](LasCloud& cloud, bool exact) {
+        return options.box ? gatherInside(source, ranges, options, cloud)
+                           : gatherAll(source, ranges, options, cloud, exact);
+    };
+    LasNotes notes;
+    {
+        LasCloud cloud(header, options.attributes, likelyOrigin(header), false);
+        notes = gather(cloud, false);
+        if (cloud.holds(notes)) return std::move(cloud).build(notes, job);
+    }
+    // The header does not say where the points are, or they are spread so far that floats cannot tell them.
+    const Eigen::Vector3d middle = 0.5 * (lasPosition(header, notes.least) + lasPosition(header, notes.most));
+    LasCloud centred(header, options.attributes, wholeUnits(middle), false);
+    const bool exact = !centred.holds(notes);
+    LasCloud cloud(header, options.attributes, wholeUnits(middle), exact);
+    notes = gather(cloud, exact);
+    return std::move(cloud).build(notes, job);
 }
 
 }  // namespace vestige

@@ -30,26 +30,42 @@ void decodeFlags(const std::byte* record, bool extended, LasPoint& point) {
 
 }  // namespace
 
-void readLasPoints(std::span<const std::byte> file, const LasHeader& header, std::uint64_t begin,
-                   std::uint64_t end, const LasBlockHandler& handle) {
+void decodeLasRecords(const std::byte* records, std::size_t count, const LasHeader& header,
+                      std::uint64_t first, const LasBlockHandler& handle) {
     const LasPointLayout& layout = lasPointLayout(header.pointFormat);
     std::array<LasPoint, kBlock> block;
-    const std::byte* record = file.data() + header.pointOffset + begin * header.recordLength;
-    for (std::uint64_t first = begin; first < end; first += kBlock) {
-        const auto many = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, end - first));
-        for (std::size_t i = 0; i < many; ++i, record += header.recordLength) {
+    for (std::size_t done = 0; done < count; done += kBlock) {
+        const std::size_t many = std::min(kBlock, count - done);
+        for (std::size_t i = 0; i < many; ++i, records += header.recordLength) {
             LasPoint& point = block[i];
             for (std::size_t axis = 0; axis < 3; ++axis)
-                point.steps[axis] = load<std::int32_t>(record + 4 * axis);
-            point.intensity = load<std::uint16_t>(record + 12);
-            decodeFlags(record, layout.extended, point);
-            if (layout.gpsTime) point.gpsTime = load<double>(record + layout.gpsTime);
+                point.steps[axis] = load<std::int32_t>(records + 4 * axis);
+            point.intensity = load<std::uint16_t>(records + 12);
+            decodeFlags(records, layout.extended, point);
+            if (layout.gpsTime) point.gpsTime = load<double>(records + layout.gpsTime);
             if (layout.color)
                 for (std::size_t channel = 0; channel < 3; ++channel)
-                    point.color[channel] = load<std::uint16_t>(record + layout.color + 2 * channel);
+                    point.color[channel] = load<std::uint16_t>(records + layout.color + 2 * channel);
         }
-        handle(first, std::span(block).first(many));
+        handle(first + done, std::span(block).first(many));
     }
+}
+
+void LasNotes::add(const LasPoint& point) {
+    LasNotes one{1, point.withheld ? 1U : 0U, std::max({point.color[0], point.color[1], point.color[2]}),
+                 point.steps, point.steps};
+    add(one);
+}
+
+void LasNotes::add(const LasNotes& other) {
+    if (other.points == 0) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        least[axis] = points == 0 ? other.least[axis] : std::min(least[axis], other.least[axis]);
+        most[axis] = points == 0 ? other.most[axis] : std::max(most[axis], other.most[axis]);
+    }
+    points += other.points;
+    withheld += other.withheld;
+    brightest = std::max(brightest, other.brightest);
 }
 
 }  // namespace vestige

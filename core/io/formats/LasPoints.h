@@ -38,40 +38,53 @@ inline Eigen::Vector3d lasPosition(const LasHeader& header, const std::array<std
 /// Points `first`, `first` + 1, ... of the file, a few hundred at a time.
 using LasBlockHandler = std::function<void(std::uint64_t first, std::span<const LasPoint> points)>;
 
-/// The points [begin, end) of an uncompressed file. The header has been checked against the file.
-void readLasPoints(std::span<const std::byte> file, const LasHeader& header, std::uint64_t begin,
-                   std::uint64_t end, const LasBlockHandler& handle);
+/// Takes `count` records of an uncompressed file, the first of which is point `first`, apart.
+void decodeLasRecords(const std::byte* records, std::size_t count, const LasHeader& header,
+                      std::uint64_t first, const LasBlockHandler& handle);
+
+/// What some points of a file were found to be while they were read.
+struct LasNotes {
+    std::uint64_t points = 0;
+    std::uint64_t withheld = 0;
+    std::uint16_t brightest = 0;
+    std::array<std::int32_t, 3> least{};  ///< steps; of no points zero
+    std::array<std::int32_t, 3> most{};
+
+    void add(const LasPoint& point);
+    void add(const LasNotes& other);
+};
 
 /// Collects points as a cloud with the attributes of the header's point format. Many threads may fill it.
 class LasCloud {
   public:
-    LasCloud(const LasHeader& header, ReadOptions::Attributes attributes);
+    /// Offsets round `origin`; residuals beside them where `exact`, for points that floats cannot tell.
+    LasCloud(const LasHeader& header, ReadOptions::Attributes attributes, const Eigen::Vector3d& origin,
+             bool exact);
     /// For set() at the places below `points`.
     void resize(std::size_t points);
     void set(std::size_t place, const LasPoint& point);
-    /// What parts of the file found out on their way, each told once.
-    void note(std::uint64_t withheld, std::uint16_t brightest);
+    /// The same for `count` records as an uncompressed file has them; only for Attributes::drawn.
+    void setRecords(std::size_t place, const std::byte* records, std::size_t count, LasNotes& notes);
 
-    /// Offsets round the middle of the points, exact on the file's grid; residuals only where floats cannot
-    /// tell its steps. Colours that a writer left at 0 to 255 are spread to 16 bits, with a warning.
-    PointCloud build(ReadJob& job) &&;
+    /// Whether each point can be told from its offset (or its residual).
+    bool holds(const LasNotes& notes) const;
+    /// Exact on the file's grid. Colours that a writer left at 0 to 255 are spread to 16 bits, with a
+    /// warning.
+    PointCloud build(const LasNotes& notes, ReadJob& job) &&;
 
   private:
-    struct Reach {
-        std::array<std::int32_t, 3> least;
-        std::array<std::int32_t, 3> most;
-    };
-    Reach reach() const;
+    template <bool kColor>
+    void setDrawn(std::size_t place, const std::byte* records, std::size_t count, LasNotes& notes);
 
     const LasHeader& header_;
     const LasPointLayout& layout_;
     bool all_;
-    LargeArray<Eigen::Vector3f>
-        steps_;  ///< the bits of three integers until build(), which needs no more memory
+    Eigen::Vector3d origin_;
+    bool exact_;
+    LargeArray<Eigen::Vector3f> offsets_;
+    LargeArray<Eigen::Vector3f> residuals_;
     LargeArray<std::uint16_t> intensity_;
     PointAttributes attributes_;
-    std::uint64_t withheld_ = 0;
-    std::uint16_t brightest_ = 0;
 };
 
 /// What `info` tells of the points, without keeping them.

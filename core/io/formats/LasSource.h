@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/PositionedFile.h"
 #include "core/io/formats/LasPoints.h"
 #include "core/io/formats/LazCheck.h"
 
@@ -40,6 +41,10 @@ class LasSource {
     /// ErrorException when damaged and not salvaging, or cancelled.
     using Handler = std::function<void(std::size_t range, std::uint64_t first, std::span<const LasPoint>)>;
     std::uint64_t read(std::span<const LasRange> ranges, const Handler& handle);
+    /// The same for the bare records of an uncompressed file.
+    using RecordHandler = std::function<void(std::size_t range, std::uint64_t first, const std::byte* records,
+                                             std::size_t count)>;
+    void readRecords(std::span<const LasRange> ranges, const RecordHandler& handle) const;
 
     const LasHeader& header() const { return header_; }
     const ReadJob& job() const { return job_; }
@@ -53,6 +58,7 @@ class LasSource {
     bool drawn_;
     bool salvage_;
     LazPlan plan_;
+    std::optional<PositionedFile> records_;  ///< of an uncompressed file
     std::string damage_;
 };
 
