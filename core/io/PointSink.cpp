@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/Coordinates.h"
+
 namespace vestige {
 namespace {
 
@@ -62,7 +64,7 @@ PointSink::PointSink(const std::vector<PointField>& fields, ColorDepth depth) : 
 
 bool PointSink::add(const double* row) {
     const Eigen::Vector3d point(row[x_], row[y_], row[z_]);
-    if (!point.allFinite()) return false;
+    if (!isUsable(point)) return false;
     builder_.add(point);
     if (red_ && green_ && blue_) addColor(row[*red_], row[*green_], row[*blue_]);
     if (normalX_ && normalY_ && normalZ_)

@@ -19,7 +19,7 @@ class PointSink {
   public:
     PointSink(const std::vector<PointField>& fields, ColorDepth depth);
 
-    /// `row` is as long as `fields`. False, and nothing is added, when a coordinate is not finite.
+    /// `row` is as long as `fields`. False, and nothing is added, when a coordinate is not usable.
     bool add(const double* row);
     std::size_t size() const { return builder_.size(); }
     void reserve(std::size_t points) { builder_.reserve(points); }

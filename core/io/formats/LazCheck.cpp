@@ -103,6 +103,19 @@ void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::
                        std::to_string(header.points) + " as the header says");
 }
 
+/// Arithmetic coding packs equal points into next to nothing, so a short file could ask for any amount of
+/// memory. Scans are packed to a fifth or a tenth; a header that promises a thousand times is none of a scan.
+void checkPromise(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
+    constexpr std::uint64_t kAlwaysFine = std::uint64_t{1} << 20;
+    constexpr std::uint64_t kMostGrowth = 1000;
+    const std::uint64_t most = kMostGrowth * (file.size() - header.pointOffset) / header.recordLength;
+    if (header.points > std::max(kAlwaysFine, most))
+        job.refuseByte(header.versionMinor >= 4 ? 247 : 107,
+                       "the header promises " + std::to_string(header.points) +
+                           " points, more than the compressed bytes of any scan hold",
+                       std::to_string(std::max(kAlwaysFine, most)) + " at most");
+}
+
 /// The place of the chunk table.
 std::size_t checkChunkTable(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
     const std::size_t begin = header.pointOffset;
@@ -135,6 +148,7 @@ void checkLaz(std::span<const std::byte> file, const LasHeader& header, const Re
     if (!record || record->content.size() < kFixedPart + kItemSize || record->content.size() > 65535)
         job.refuseByte(header.headerSize, "a compressed file without a whole record of LASzip",
                        "the record 'laszip encoded' 22204");
+    checkPromise(file, header, job);
     const std::size_t place = placeOf(file, *record);
     const auto compressor = load<std::uint16_t>(record->content.data());
     const auto coder = load<std::uint16_t>(record->content.data() + 2);
