@@ -11,13 +11,15 @@ namespace {
 struct Options {
     std::string in;
     std::string out;
+    ReadOptions reading;
 };
 
 int runConvert(Session& session, const Options& options) {
     // A target that cannot be written is a wrong command line, found before the long reading.
     if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
         return session.failed(target.error());
-    const Result<LoadedGeometry> loaded = readGeometry(options.in, session.control().sub(0, 0.6));
+    const Result<LoadedGeometry> loaded =
+        readGeometry(options.in, options.reading, session.control().sub(0, 0.6));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
@@ -41,6 +43,7 @@ Run declareConvert(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("IN", options->in, "Cloud or mesh to read")->required();
     command.add_option("OUT", options->out, "File to write; its extension names the format")->required();
+    addSalvageOption(command, options->reading.salvage);
     return [options](Session& session) { return runConvert(session, *options); };
 }
 

@@ -17,6 +17,7 @@ namespace {
 struct Options {
     std::string in;
     std::string out;
+    ReadOptions reading;
     std::string unit = "m";
     ParameterSet parameters{preprocessParameters()};
 };
@@ -27,7 +28,7 @@ int runPreprocess(Session& session, const Options& options) {
     if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
         return session.failed(target.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> loaded = readGeometry(options.in, control.sub(0, 0.3));
+    const Result<LoadedGeometry> loaded = readGeometry(options.in, options.reading, control.sub(0, 0.3));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
@@ -70,6 +71,7 @@ Run declarePreprocess(CLI::App& command) {
             "--unit", options->unit,
             "Unit of the coordinates in IN and OUT, m or mm; all other lengths are metres. Default: m.")
         ->check(CLI::IsMember({"m", "mm"}));
+    addSalvageOption(command, options->reading.salvage);
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runPreprocess(session, *options); };
 }

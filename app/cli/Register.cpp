@@ -129,10 +129,14 @@ int runRegister(Session& session, const Options& options) {
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> target = readGeometry(options.target, control.sub(0, 0.2));
+    const Result<LoadedGeometry> target = readGeometry(options.target, options.reading, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
-    const Result<LoadedGeometry> source = readGeometry(options.source, control.sub(0.2, 0.4));
+    const Result<LoadedGeometry> source =
+        readGeometry(options.source, options.reading, control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
+    for (const auto* loaded : {&*target, &*source})
+        if (!loaded->info.damage.empty())
+            session.log("warning: " + loaded->info.path.string() + ": " + loaded->info.damage);
     const Result<Start> start = startFrom(options, target->geometry, source->geometry, control.sub(0.4, 0.6));
     if (!start) return failed(session, options, start.error(), {});
     ParameterSet parameters = options.parameters;
@@ -177,6 +181,7 @@ Run declareRegister(CLI::App& command) {
             return text == "auto" || lengthUnitFromSymbol(text) ? std::string() : "expected m, mm or auto";
         });
     command.add_option("--aligned", options->aligned, "File for the source's points in the target's frame");
+    addSalvageOption(command, options->reading.salvage);
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runRegister(session, *options); };
 }

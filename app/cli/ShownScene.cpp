@@ -47,7 +47,8 @@ Status load(SceneState& scene, const JobControl& control) {
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         Layer& layer = scene.layers[i];
         const double share = static_cast<double>(i);
-        auto data = loadLayerData(scene.resolve(layer.path), control.sub(share / count, (share + 1) / count));
+        auto data = loadLayerData(scene.resolve(layer.path), control.sub(share / count, (share + 1) / count),
+                                  layer.salvage);
         if (!data) return fail(data.error());
         layer.data = std::move(*data);
     }

@@ -277,6 +277,14 @@ class Records {
 
 }  // namespace
 
+Eigen::Vector3f cleanNormal(const Eigen::Vector3d& normal) {
+    const double length = normal.norm();
+    if (!std::isfinite(length) || length < 1e-12) return Eigen::Vector3f::Zero();
+    // Normals that are unit length to the digits of their file stay bit for bit what they are.
+    if (std::abs(length - 1) < 1e-3) return normal.cast<float>();
+    return (normal / length).cast<float>();
+}
+
 std::optional<PointCloud> readRecords(const std::byte* body, std::size_t points, const RecordLayout& layout,
                                       const ReadJob& job) {
     return Records(body, points, layout, job).read();

@@ -6,11 +6,18 @@
 #include <vector>
 
 #include "core/geometry/PointCloud.h"
-#include "core/io/PointSink.h"
+#include "core/io/PointField.h"
 #include "core/io/ReadJob.h"
 #include "core/io/ScalarType.h"
 
 namespace vestige {
+
+/// How a file's colour numbers are meant. `guess`: by the largest value, up to 1 fractions, up to 255 bytes,
+/// else 16 bits.
+enum class ColorDepth { bytes, words, guess };
+
+/// Unit length or zero, whatever the file says.
+Eigen::Vector3f cleanNormal(const Eigen::Vector3d& normal);
 
 /// Where the values of one field of all points lie: the first at `offset`, each `step` bytes behind the one
 /// before.

@@ -6,11 +6,13 @@
 namespace vestige {
 
 Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::path& file,
-                                                       const JobControl& control) {
+                                                       const JobControl& control, bool salvage) {
     return guarded(file.string(), [&]() -> Result<std::shared_ptr<const LayerData>> {
         auto hash = sha256OfFile(file, control.sub(0, 0.15));
         if (!hash) return fail(hash.error());
-        auto loaded = readGeometry(file, control.sub(0.15, 0.7));
+        ReadOptions options;
+        options.salvage = salvage;
+        auto loaded = readGeometry(file, options, control.sub(0.15, 0.7));
         if (!loaded) return fail(loaded.error());
         if (control.cancelled()) return fail(cancelledError());
         auto data = std::make_shared<LayerData>();

@@ -9,8 +9,8 @@
 
 namespace vestige {
 
-/// Reads and hashes one file and builds its octree; any thread.
+/// Reads and hashes one file and builds its octree; any thread. `salvage` as in ReadOptions.
 Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::path& file,
-                                                       const JobControl& control);
+                                                       const JobControl& control, bool salvage = false);
 
 }  // namespace vestige

@@ -58,6 +58,7 @@ struct Layer {
     std::filesystem::path path;      ///< absolute once read from a case
     std::optional<LengthUnit> unit;  ///< nothing: recognised
     InitialPoseSpec init;
+    bool salvage = false;  ///< of a damaged file what is whole is read; someone has agreed to that
     bool visible = true;
     std::array<std::uint8_t, 3> tint{160, 180, 200};  ///< colour by source
 

@@ -16,6 +16,7 @@ struct Loaded {
     SceneState scene;
     std::vector<Layer> layers;
     std::vector<Error> problems;
+    std::vector<std::filesystem::path> unread;  ///< the files of the problems
     std::vector<std::string> remarks;
 };
 
@@ -26,12 +27,16 @@ Result<Loaded> readLayers(Loaded loaded, const JobControl& control) {
         Layer& layer = loaded.layers[i];
         const auto step = control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         step.progress(0, "Reading " + layer.path.filename().string());
-        auto data = loadLayerData(loaded.scene.resolve(layer.path), step);
+        auto data = loadLayerData(loaded.scene.resolve(layer.path), step, layer.salvage);
         if (!data && data.error().code == ErrorCode::cancelled) return fail(data.error());
-        if (data)
-            layer.data = std::move(*data);
-        else
+        if (!data) {
             loaded.problems.push_back(data.error());
+            loaded.unread.push_back(layer.path);
+            continue;
+        }
+        layer.data = std::move(*data);
+        if (const std::string& damage = layer.data->info.damage; !damage.empty())
+            loaded.remarks.push_back(layer.path.filename().string() + ": " + damage + ".");
     }
     return loaded;
 }
@@ -55,7 +60,7 @@ Status Loader::openCase(const std::filesystem::path& file) {
     auto layers = scene->layers;
     jobs_.run<Loaded>(
         tr("Opening %1").arg(toQt(file.filename())),
-        [loaded = Loaded{std::move(*scene), std::move(layers), {}, std::move(remarks)}](
+        [loaded = Loaded{std::move(*scene), std::move(layers), {}, {}, std::move(remarks)}](
             const JobControl& control) { return readLayers(loaded, control); },
         [this, file](Result<Loaded> loaded) {
             if (!loaded) return tell({loaded.error()});
@@ -69,7 +74,7 @@ Status Loader::openCase(const std::filesystem::path& file) {
     return firstOf(problems_);
 }
 
-Status Loader::addFiles(const std::vector<std::filesystem::path>& files) {
+Status Loader::addFiles(const std::vector<std::filesystem::path>& files, bool salvage) {
     if (files.empty()) return {};
     problems_.clear();
     Loaded request;
@@ -77,6 +82,7 @@ Status Loader::addFiles(const std::vector<std::filesystem::path>& files) {
     for (const auto& file : files) {
         Layer layer;
         layer.path = std::filesystem::absolute(file).lexically_normal();
+        layer.salvage = salvage;
         request.layers.push_back(std::move(layer));
     }
     const QString what =
@@ -88,14 +94,15 @@ Status Loader::addFiles(const std::vector<std::filesystem::path>& files) {
             if (!loaded) return loaded;
             std::erase_if(loaded->layers, [](const Layer& layer) { return !layer.data; });
             nameLayers(loaded->layers, loaded->scene);
-            loaded->remarks = recogniseUnits(loaded->layers, loaded->scene);
+            for (const std::string& sentence : recogniseUnits(loaded->layers, loaded->scene))
+                loaded->remarks.push_back(sentence);
             return loaded;
         },
         [this](Result<Loaded> loaded) {
             if (!loaded) return tell({loaded.error()});
             enter(loaded->layers);
             remark(loaded->remarks);
-            tell(loaded->problems);
+            tellOfFiles(loaded->problems, loaded->unread);
             for (const Layer& layer : loaded->layers) emit opened(toQt(layer.path));
         });
     return firstOf(problems_);
@@ -115,6 +122,19 @@ void Loader::remark(const std::vector<std::string>& remarks) {
     QStringList sentences;
     for (const std::string& sentence : remarks) sentences << QString::fromStdString(sentence);
     if (!sentences.isEmpty()) notices_.inform(sentences.join("\n"));
+}
+
+void Loader::tellOfFiles(const std::vector<Error>& problems,
+                         const std::vector<std::filesystem::path>& files) {
+    problems_ = problems;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        if (!problems[i].salvageable) {
+            notices_.failed(problems[i]);
+            continue;
+        }
+        notices_.offer(problems[i], tr("Load what is whole"),
+                       [this, file = files[i]] { static_cast<void>(addFiles({file}, true)); });
+    }
 }
 
 void Loader::tell(const std::vector<Error>& problems) {

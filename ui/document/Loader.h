@@ -24,8 +24,9 @@ class Loader : public QObject {
     /// data and is told; the error of an unreadable case is returned at once. With an inline runner
     /// everything is loaded on return and the first error of a layer is returned, too.
     Status openCase(const std::filesystem::path& file);
-    /// Adds clouds and meshes as layers, in one step of the history. Returns like openCase.
-    Status addFiles(const std::vector<std::filesystem::path>& files);
+    /// Adds clouds and meshes as layers, in one step of the history. Returns like openCase. Of a damaged file
+    /// it is offered to load what is whole, which `salvage` does at once.
+    Status addFiles(const std::vector<std::filesystem::path>& files, bool salvage = false);
 
   signals:
     /// A case was opened, or files were added.
@@ -35,6 +36,8 @@ class Loader : public QObject {
     void enter(const std::vector<Layer>& layers);
     void remark(const std::vector<std::string>& remarks);
     void tell(const std::vector<Error>& problems);
+    /// The same of files that were to be added; problems and files in the same order.
+    void tellOfFiles(const std::vector<Error>& problems, const std::vector<std::filesystem::path>& files);
 
     Document& document_;
     JobRunner& jobs_;

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
 #include "core/base/Error.h"
 
@@ -23,11 +24,16 @@ class Notices : public QObject {
         else
             emit warned(QString::fromStdString(error.sentence()) + ".");
     }
+    /// A failure with a way on: a button `label` beside the sentence does `action` on the GUI thread.
+    void offer(const Error& error, const QString& label, const std::function<void()>& action) {
+        emit offered(QString::fromStdString(error.sentence()) + ".", label, action);
+    }
 
   signals:
     void informed(const QString& sentence);
     void informedOf(const QString& sentence, const QString& path);
     void warned(const QString& sentence);
+    void offered(const QString& sentence, const QString& label, const std::function<void()>& action);
 };
 
 }  // namespace vestige

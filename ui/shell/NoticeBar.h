@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 
 class QLabel;
 class QToolButton;
@@ -10,7 +11,7 @@ namespace vestige {
 
 class Notices;
 
-/// One sentence above the view; warnings stay until closed, others go by themselves.
+/// One sentence above the view, perhaps with a button; warnings stay until closed, others go by themselves.
 class NoticeBar : public QWidget {
     Q_OBJECT
 
@@ -19,11 +20,12 @@ class NoticeBar : public QWidget {
     QString text() const;
 
   private:
-    void show(const QString& sentence, bool warning, const QString& path);
+    using Action = std::function<void()>;
+    void show(const QString& sentence, bool warning, const QString& label = {}, const Action& action = {});
 
     QLabel* text_;
-    QToolButton* open_;
-    QString path_;
+    QToolButton* button_;
+    Action action_;
     QTimer hide_;
 };
 

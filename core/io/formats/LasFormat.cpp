@@ -48,6 +48,40 @@ std::string damageOf(const LasSource& source, std::uint64_t read, const ReadOpti
            why;
 }
 
+/// What of a refused file could be salvaged, offered with the refusal.
+void offerWhatIsWhole(std::span<const std::byte> file, const ReadJob& refused, Error& error) {
+    if (error.code != ErrorCode::input) return;
+    try {
+        ReadJob job(refused.path(), {});
+        const LasHeader header = parseLasHeader(file, job, true);
+        const std::uint64_t points = LasSource(file, header, job, true, true).points();
+        if (points > 0) offerSalvage(error, firstOf(points, header.promisedPoints, "point"));
+    } catch (const ErrorException&) {
+        // Nothing of it can be read: the refusal says why.
+    }
+}
+
+/// All that options want of a file.
+LoadedGeometry readAsWanted(std::span<const std::byte> file, const ReadOptions& options, ReadJob& job) {
+    const LasHeader header = parseLasHeader(file, job, options.salvage);
+    const bool drawn = options.attributes == ReadOptions::Attributes::drawn;
+    LasSource source(file, header, job, drawn, options.salvage);
+    std::vector<LasRange> ranges = source.ranges();
+    if (options.box)
+        if (const auto nodes = copcNodes(file, header, job)) ranges = rangesTouching(*nodes, *options.box);
+    LoadedGeometry result;
+    result.geometry.vertices = gatherLas(source, ranges, options, job);
+    describeGeometry(result.geometry, result.info);
+    if (drawn) {
+        const LasPointLayout& layout = lasPointLayout(header.pointFormat);
+        result.info.attributes = lasAttributes(layout, layout.gpsTime != 0);
+    }
+    describeHeader(header, job, result.info, options.wholeFile());
+    result.info.damage = damageOf(source, result.geometry.vertices.size(), options);
+    result.heeded = true;
+    return result;
+}
+
 }  // namespace
 
 bool LasFormat::recognises(std::span<const std::byte> head, std::string_view) const {
@@ -123,25 +157,13 @@ Result<LoadedGeometry> LasFormat::read(const std::filesystem::path& file, const 
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
-        ReadJob job(file, control);
-        const LasHeader header = parseLasHeader(content->bytes(), job, options.salvage);
-        LasSource source(content->bytes(), header, job, options.attributes == ReadOptions::Attributes::drawn,
-                         options.salvage);
-        std::vector<LasRange> ranges = source.ranges();
-        if (options.box)
-            if (const auto nodes = copcNodes(content->bytes(), header, job))
-                ranges = rangesTouching(*nodes, *options.box);
-        LoadedGeometry result;
-        result.geometry.vertices = gatherLas(source, ranges, options, job);
-        describeGeometry(result.geometry, result.info);
-        if (options.attributes == ReadOptions::Attributes::drawn) {
-            const LasPointLayout& layout = lasPointLayout(header.pointFormat);
-            result.info.attributes = lasAttributes(layout, layout.gpsTime != 0);
+        ReadJob job(file, control, options.salvage);
+        try {
+            return readAsWanted(content->bytes(), options, job);
+        } catch (ErrorException& refusal) {
+            if (!options.salvage) offerWhatIsWhole(content->bytes(), job, refusal.error);
+            throw;
         }
-        describeHeader(header, job, result.info, options.wholeFile());
-        result.info.damage = damageOf(source, result.geometry.vertices.size(), options);
-        result.heeded = true;
-        return result;
     });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/io/Bytes.h"
+#include "core/io/Coordinates.h"
 
 namespace vestige {
 namespace {
@@ -11,6 +12,9 @@ constexpr std::size_t kSmallestHeader = 227;
 constexpr std::size_t kHeader14 = 375;
 constexpr std::size_t kRecordHeader = 54;
 constexpr std::size_t kExtendedRecordHeader = 60;
+/// The 32 bits of a coordinate would span a few micrometres, or more than the Earth's orbit.
+constexpr double kFinestScale = 1e-15;
+constexpr double kCoarsestScale = 1e6;
 
 /// A text field: up to the first zero byte, what is not printable shown as '?'.
 std::string fieldText(std::span<const std::byte> bytes) {
@@ -117,11 +121,14 @@ class HeaderParser {
             header_.bounds.max[axis] = at<double>(179 + 16 * place);
             header_.bounds.min[axis] = at<double>(187 + 16 * place);
         }
-        if (!header_.scale.allFinite() || (header_.scale.array() == 0).any())
-            job_.refuseByte(131, "a scale factor is zero or no finite number", "a scale such as 0.001");
-        if (!(header_.offset.cwiseAbs() + 4294967296.0 * header_.scale.cwiseAbs()).allFinite())
-            job_.refuseByte(155, "scale and offset give coordinates that are no finite numbers",
-                            "finite offsets");
+        // Also catches what is no number.
+        const auto scale = header_.scale.array().abs();
+        if (!(scale >= kFinestScale && scale <= kCoarsestScale).all())
+            job_.refuseByte(131, "a scale factor is zero, no finite number or absurd",
+                            "a scale such as 0.001");
+        if (!isUsable(header_.offset))
+            job_.refuseByte(155, "an offset is no finite number, or farther from 0 than any place on Earth",
+                            "offsets up to 1e10");
     }
 
     void parseRecords() {

@@ -116,6 +116,19 @@ void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::
                        std::to_string(header.points) + " as the header says");
 }
 
+/// Arithmetic coding packs equal points into next to nothing, so a short file could ask for any amount of
+/// memory. Scans are packed to a fifth or a tenth; a header that promises a thousand times is none of a scan.
+void checkPromise(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
+    constexpr std::uint64_t kAlwaysFine = std::uint64_t{1} << 20;
+    constexpr std::uint64_t kMostGrowth = 1000;
+    const std::uint64_t most = kMostGrowth * (file.size() - header.pointOffset) / header.recordLength;
+    if (header.points > std::max(kAlwaysFine, most))
+        job.refuseByte(header.versionMinor >= 4 ? 247 : 107,
+                       "the header promises " + std::to_string(header.points) +
+                           " points, more than the compressed bytes of any scan hold",
+                       std::to_string(std::max(kAlwaysFine, most)) + " at most");
+}
+
 /// The place of the chunk table.
 std::size_t checkChunkTable(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
     const std::size_t begin = header.pointOffset;
@@ -141,19 +154,6 @@ std::size_t checkChunkTable(std::span<const std::byte> file, const LasHeader& he
     return place;
 }
 
-/// LASzip packs points that hardly differ into a hundredth of a byte each and less, but no scan is like that.
-void checkExpansion(std::span<const std::byte> file, const LasHeader& header, std::uint64_t points,
-                    const ReadJob& job) {
-    constexpr std::uint64_t kFree = std::uint64_t{1} << 26;
-    constexpr std::uint64_t kExpansion = 1000;
-    const std::uint64_t most = (kFree + kExpansion * file.size()) / header.recordLength;
-    if (points > most)
-        job.refuseByte(header.pointOffset,
-                       "the file promises " + std::to_string(points) + " points in " +
-                           counted(file.size(), "byte") + ", more than compression can explain",
-                       std::to_string(most) + " points at most");
-}
-
 }  // namespace
 
 LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job, bool salvage) {
@@ -161,6 +161,7 @@ LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const 
     if (!record || record->content.size() < kFixedPart + kItemSize || record->content.size() > 65535)
         job.refuseByte(header.headerSize, "a compressed file without a whole record of LASzip",
                        "the record 'laszip encoded' 22204");
+    checkPromise(file, header, job);
     const std::size_t place = placeOf(file, *record);
     const auto compressor = load<std::uint16_t>(record->content.data());
     const auto coder = load<std::uint16_t>(record->content.data() + 2);
@@ -172,7 +173,6 @@ LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const 
     const bool layered = compressor == 3;
     checkItems(file, header, *record, layered, job);
     LazPlan plan{header.points};
-    checkExpansion(file, header, plan.points, job);
     if (compressor == 1) return plan;
     plan.variableChunks = chunkSize == kVariableChunks;
     plan.chunkSize = plan.variableChunks ? kTypicalChunk : chunkSize;

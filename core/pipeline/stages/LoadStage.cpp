@@ -36,7 +36,7 @@ Status loadStage(ReconstructRun& run, const JobControl& control) {
             control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         sub.progress(0, "reading " + file.filename().string());
         if (!layers[i].data) {
-            auto data = loadLayerData(file, sub);
+            auto data = loadLayerData(file, sub, layers[i].salvage);
             if (!data) return fail(data.error());
             layers[i].data = std::move(*data);
         }

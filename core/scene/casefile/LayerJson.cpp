@@ -75,6 +75,7 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
               {"path", pathText(layer.path)}};
     if (layer.unit) json["unit"] = symbol(*layer.unit);
     if (!std::holds_alternative<InitIdentity>(layer.init)) json["init"] = initJson(layer.init, pathText);
+    if (layer.salvage) json["salvage"] = true;
     json["visible"] = layer.visible;
     json["tint"] = layer.tint;
     if (layer.registration) json["registration"] = resultJson(*layer.registration);
@@ -82,8 +83,8 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
 }
 
 Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
-    cursor.warnOfOthers(
-        {"id", "name", "role", "method", "path", "unit", "init", "visible", "tint", "registration"});
+    cursor.warnOfOthers({"id", "name", "role", "method", "path", "unit", "init", "salvage", "visible", "tint",
+                         "registration"});
     Layer layer;
     layer.id = cursor.at("id").name();
     layer.role = readRole(cursor.at("role"));
@@ -94,6 +95,7 @@ Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesyst
     layer.method = method ? method->name() : std::string(defaultMethod(layer.role));
     if (const auto unit = cursor.find("unit")) layer.unit = readUnit(*unit);
     if (const auto init = cursor.find("init")) layer.init = readInit(*init, layer, folder);
+    if (const auto salvage = cursor.find("salvage")) layer.salvage = salvage->boolean();
     if (const auto visible = cursor.find("visible")) layer.visible = visible->boolean();
     layer.tint = defaultTint(place);
     if (const auto tint = cursor.find("tint")) {

@@ -179,6 +179,20 @@ TEST(CaseFile, TheTargetIsTheFirstAerialLayerUnlessTheCaseSaysOtherwise) {
     EXPECT_EQ(read(file).target, "");
 }
 
+TEST(CaseFile, ALayerMayBeSalvaged) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "case.json", R"({"vestige":1,"layers":[
+        {"id":"a","role":"aerial","path":"a.las","salvage":true},{"id":"b","role":"aerial","path":"b.las"}]})"));
+    const auto scene = readCase(folder / "case.json");
+    ASSERT_TRUE(scene);
+    EXPECT_TRUE(scene->layers[0].salvage);
+    EXPECT_FALSE(scene->layers[1].salvage);
+    ASSERT_TRUE(writeCase(folder / "again.json", *scene));
+    const auto again = readCase(folder / "again.json");
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(again->layers[0].salvage);
+}
+
 TEST(CaseFile, UnknownKeysAreWarnedOf) {
     const TemporaryFolder folder;
     const auto file = folder / "case.json";
