@@ -29,7 +29,7 @@ template <class Key>
 void CellGrid::sortPoints(const PointCloud& cloud, const JobControl& control) {
     const WorldPoints points(cloud);
     const double perSize = 1 / size();
-    const std::vector<KeyedIndex<Key>> sorted =
+    const LargeArray<KeyedIndex<Key>> sorted =
         sortedByKey<Key>(cloud.size(), layout_.keyBits(), [&](std::size_t begin, std::span<Key> keys) {
             if (control.cancelled()) throw ErrorException{cancelledError()};
             const auto steps = [&](int axis, std::size_t i) {

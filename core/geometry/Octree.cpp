@@ -35,7 +35,7 @@ struct PendingChild {
 /// ask for their own.
 class Divider {
   public:
-    Divider(std::span<const Eigen::Vector3f> offsets, std::vector<Code>& sorted, std::uint32_t leafSize,
+    Divider(std::span<const Eigen::Vector3f> offsets, LargeArray<Code>& sorted, std::uint32_t leafSize,
             double finest)
         : offsets_(offsets), sorted_(sorted), leafSize_(leafSize), finest_(finest) {}
 
@@ -85,7 +85,7 @@ class Divider {
     }
 
     std::span<const Eigen::Vector3f> offsets_;
-    std::vector<Code>& sorted_;
+    LargeArray<Code>& sorted_;
     std::uint32_t leafSize_;
     double finest_;
 };
@@ -114,7 +114,7 @@ Octree::Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize) 
 void Octree::build(std::uint32_t leafSize) {
     const std::span<const Eigen::Vector3f> offsets = cloud_->offsets();
     const MortonGrid grid(offsets);
-    std::vector<Code> sorted = sortedByKey<std::uint64_t>(
+    LargeArray<Code> sorted = sortedByKey<std::uint64_t>(
         offsets.size(), 3 * kLevels, [&](std::size_t begin, std::span<std::uint64_t> keys) {
             for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = grid.code(offsets[begin + i]);
         });
@@ -125,6 +125,8 @@ void Octree::build(std::uint32_t leafSize) {
     };
 
     Divider divider(offsets, sorted, leafSize, kFinest * grid.side());
+    // More than there will be; what is not touched takes no memory.
+    nodes_.reserve(sorted.size() / std::max<std::uint32_t>(1, leafSize / 8) + 64);
     // Level by level, each level's children found in parallel and appended in order.
     addNode(0, static_cast<std::uint32_t>(sorted.size()));
     for (std::size_t level = 0; level < nodes_.size();) {
@@ -147,7 +149,6 @@ void Octree::build(std::uint32_t leafSize) {
         for (const auto& chunk : found)
             for (const PendingChild& child : chunk) addNode(child.begin, child.end);
     }
-    nodes_.shrink_to_fit();
     order_.resize(sorted.size());
     parallelFor(sorted.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) order_[i] = sorted[i].index;

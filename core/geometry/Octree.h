@@ -60,8 +60,8 @@ class Octree {
     void fillBoxes();
 
     std::shared_ptr<const PointCloud> cloud_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Node> nodes_;
+    LargeArray<std::uint32_t> order_;
+    LargeArray<Node> nodes_;
 };
 
 }  // namespace vestige

@@ -61,7 +61,7 @@ void sortStable(std::span<KeyedIndex<Key>> items, std::span<KeyedIndex<Key>> spa
 }  // namespace
 
 template <class Key>
-std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, const KeysOf<Key>& keysOf) {
+LargeArray<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, const KeysOf<Key>& keysOf) {
     const std::size_t chunks = (count + kGrain - 1) / kGrain;
     const unsigned shift = keyBits > kFirstDigitBits ? keyBits - kFirstDigitBits : 0;
     const auto bucketOf = [shift](Key key) { return static_cast<std::size_t>(key >> shift); };
@@ -83,7 +83,7 @@ std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, co
     }
     starts[kBuckets] = place;
 
-    std::vector<KeyedIndex<Key>> sorted(count);
+    LargeArray<KeyedIndex<Key>> sorted(count);
     parallelChunks(count, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         std::uint32_t* next = places.data() + chunk * kBuckets;
         eachKey(keysOf, begin, end, [&](std::size_t item, Key key) {
@@ -92,7 +92,7 @@ std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, co
     });
     if (shift == 0) return sorted;
     parallelFor(kBuckets, 16, [&](std::size_t begin, std::size_t end) {
-        std::vector<KeyedIndex<Key>> spare;
+        LargeArray<KeyedIndex<Key>> spare;
         for (std::size_t bucket = begin; bucket < end; ++bucket) {
             const std::size_t many = starts[bucket + 1] - starts[bucket];
             if (spare.size() < many) spare.resize(many);
@@ -102,9 +102,9 @@ std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, co
     return sorted;
 }
 
-template std::vector<KeyedIndex<std::uint32_t>> sortedByKey(std::size_t, unsigned,
-                                                            const KeysOf<std::uint32_t>&);
-template std::vector<KeyedIndex<std::uint64_t>> sortedByKey(std::size_t, unsigned,
-                                                            const KeysOf<std::uint64_t>&);
+template LargeArray<KeyedIndex<std::uint32_t>> sortedByKey(std::size_t, unsigned,
+                                                           const KeysOf<std::uint32_t>&);
+template LargeArray<KeyedIndex<std::uint64_t>> sortedByKey(std::size_t, unsigned,
+                                                           const KeysOf<std::uint64_t>&);
 
 }  // namespace vestige

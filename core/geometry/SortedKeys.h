@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
+
+#include "core/base/LargeArray.h"
 
 namespace vestige {
 
+/// Packed: of a hundred million, four bytes each are half a gigabyte.
 template <class Key>
-struct KeyedIndex {
+struct [[gnu::packed, gnu::aligned(4)]] KeyedIndex {
     Key key;
     std::uint32_t index;
 };
@@ -23,11 +25,11 @@ using KeysOf = std::function<void(std::size_t begin, std::span<Key> keys)>;
 /// parallel; the same result for any number of threads. `keysOf` is asked twice for every item, so that no
 /// array of unsorted keys has to be held. Key is std::uint32_t or std::uint64_t.
 template <class Key>
-std::vector<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, const KeysOf<Key>& keysOf);
+LargeArray<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, const KeysOf<Key>& keysOf);
 
-extern template std::vector<KeyedIndex<std::uint32_t>> sortedByKey(std::size_t, unsigned,
-                                                                   const KeysOf<std::uint32_t>&);
-extern template std::vector<KeyedIndex<std::uint64_t>> sortedByKey(std::size_t, unsigned,
-                                                                   const KeysOf<std::uint64_t>&);
+extern template LargeArray<KeyedIndex<std::uint32_t>> sortedByKey(std::size_t, unsigned,
+                                                                  const KeysOf<std::uint32_t>&);
+extern template LargeArray<KeyedIndex<std::uint64_t>> sortedByKey(std::size_t, unsigned,
+                                                                  const KeysOf<std::uint64_t>&);
 
 }  // namespace vestige

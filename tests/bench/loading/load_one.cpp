@@ -1,11 +1,12 @@
 // Loads one file once and prints what it took: peer, seconds, points, peak of memory (all, and without the
 // file's own pages).
-//   load_one PEER FILE      PEER: ours, ours-all, preview, index, read, laszip
+//   load_one PEER FILE      PEER: ours, ours-all, preview, index, pick, read, laszip
 #include <fcntl.h>
 #include <laszip/laszip_api.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -13,7 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Random.h"
 #include "core/geometry/Octree.h"
+#include "core/geometry/Picking.h"
 #include "core/io/FormatRegistry.h"
 
 namespace {
@@ -50,6 +53,42 @@ std::uint64_t indexed(const std::string& file) {
     if (!loaded) stop(loaded.error().sentence());
     const auto cloud = std::make_shared<const PointCloud>(std::move(loaded->geometry.vertices));
     return Octree(cloud).order().size();
+}
+
+/// Clicks anywhere into pictures of the whole cloud and of a hundredth of it: the times in milliseconds, then
+/// the hits.
+std::uint64_t picked(const std::string& file) {
+    ReadOptions options;
+    options.attributes = ReadOptions::Attributes::drawn;
+    auto loaded = readGeometry(file, options);
+    if (!loaded) stop(loaded.error().sentence());
+    const auto cloud = std::make_shared<const PointCloud>(std::move(loaded->geometry.vertices));
+    const Octree octree(cloud);
+    const std::vector<PickLayer> layers{{0, &octree, Similarity{}}};
+    Random random(5);
+    std::vector<double> times;
+    std::uint64_t hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        BoundingBox box = cloud->bounds();
+        if (i % 2 == 1) {
+            const Eigen::Vector3d middle = cloud->point(random.below(cloud->size()));
+            const Eigen::Vector3d reach = 0.05 * box.extent();
+            box = {};
+            box.add(Eigen::Vector3d(middle - reach));
+            box.add(Eigen::Vector3d(middle + reach));
+        }
+        constexpr std::array kViews{NamedView::perspective, NamedView::top, NamedView::front};
+        const ViewCamera camera = fitCamera(box, kViews[static_cast<std::size_t>(i) % 3], 1400, 900);
+        const Eigen::Vector2d cursor(1400 * random.uniform(), 900 * random.uniform());
+        const auto begin = std::chrono::steady_clock::now();
+        hits += pickPoint(layers, camera, cursor) ? 1 : 0;
+        times.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    }
+    std::sort(times.begin(), times.end());
+    std::cout << "a pick: median " << times[times.size() / 2] << " ms, 99 of 100 "
+              << times[times.size() * 99 / 100] << " ms, worst " << times.back() << " ms; ";
+    return hits;
 }
 
 /// The fewest bytes of work a reader can do: every byte once, into memory that is there.
@@ -112,6 +151,7 @@ int main(int argc, char** argv) {
                                 : peer == "ours-all" ? ours(file, ReadOptions::Attributes::all)
                                 : peer == "preview"  ? previewed(file)
                                 : peer == "index"    ? indexed(file)
+                                : peer == "pick"     ? picked(file)
                                 : peer == "read"     ? plainRead(file)
                                 : peer == "laszip"   ? laszip(file)
                                                      : 0;
