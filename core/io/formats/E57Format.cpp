@@ -6,6 +6,7 @@
 #include "core/io/MappedFile.h"
 #include "core/io/formats/E57Points.h"
 #include "core/io/formats/E57Time.h"
+#include "core/io/formats/E57Writer.h"
 
 namespace vestige {
 namespace {
@@ -104,6 +105,11 @@ Result<LoadedGeometry> E57Format::read(const std::filesystem::path& file, const 
         result.heeded = true;
         return result;
     });
+}
+
+Status E57Format::write(const std::filesystem::path& file, const TriangleMesh& geometry,
+                        const WriteOptions& options, const JobControl& control) const {
+    return writeE57(file, geometry, options, control);
 }
 
 }  // namespace vestige

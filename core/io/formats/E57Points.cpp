@@ -69,6 +69,9 @@ class Reader {
                        " could be read: " + streams.damage();
         if (options_.wholeFile()) reserve(streams.records());
         scan.info.points = 0;
+        const std::size_t firstPoint = builder_.size();
+        leastReturn_ = 255;
+        returnIsCount_ = false;
         const std::size_t wave = 2 * static_cast<std::size_t>(std::max(1, threadCount()));
         std::vector<E57Rows> rows(wave, E57Rows(scan, drawnOnly_));
         for (std::uint64_t first = 0; first < streams.records(); first += wave * kChunk) {
@@ -82,6 +85,23 @@ class Reader {
                        scan);
         }
         done_ += scan.records;
+        countReturnsFromOne(firstPoint);
+    }
+
+    /// E57 numbers returns from 0; las2e57 copies the numbers of LAS, from 1.
+    void countReturnsFromOne(std::size_t firstPoint) {
+        if (leastReturn_ < 1 || !returnIsCount_) return;
+        auto& numbers = builder_.attributes().returnNumber;
+        for (std::size_t i = firstPoint; i < numbers.size(); ++i)
+            numbers[i] = static_cast<std::uint8_t>(numbers[i] - 1);
+        job_.warn("the returns are numbered from 1 in the file, which the standard counts from 0");
+    }
+
+    void seeReturn(const E57Rows& rows, std::size_t i) {
+        if (!rows.has(E57Role::returnIndex) || !rows.has(E57Role::returnCount)) return;
+        const double number = rows.value(E57Role::returnIndex, i);
+        leastReturn_ = std::min(leastReturn_, number);
+        returnIsCount_ |= number == rows.value(E57Role::returnCount, i);
     }
 
     void reserve(std::uint64_t more) { builder_.reserve(builder_.size() + more); }
@@ -98,6 +118,7 @@ class Reader {
                 continue;
             }
             ++scan.info.points;
+            seeReturn(rows, i);
             if (options_.box && !((point.array() >= options_.box->min.array()).all() &&
                                   (point.array() <= options_.box->max.array()).all()))
                 continue;
@@ -141,6 +162,8 @@ class Reader {
     PointCloudBuilder builder_;
     std::uint64_t total_ = 0, done_ = 0, met_ = 0;
     std::size_t invalid_ = 0, notFinite_ = 0;
+    double leastReturn_ = 0;
+    bool returnIsCount_ = false;
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ struct RoleName {
     const char* name;
     E57Role role;
 };
-/// ASTM E2807, table 12; the normals of the extension E57_EXT_surface_normals, class and source of the one
-/// for LAS.
+/// ASTM E2807, table 12; the normals of the extension E57_NOR_surface_normals, class and source
+/// of the one for LAS.
 constexpr std::array kRoles{RoleName{"cartesianX", E57Role::x},
                             RoleName{"cartesianY", E57Role::y},
                             RoleName{"cartesianZ", E57Role::z},

@@ -36,7 +36,11 @@ void E57Xml::refuse(const pugi::xml_node& node, std::string message, const std::
 }
 
 std::string E57Xml::textOf(const pugi::xml_node& parent, const char* child) {
-    return parent.child(child).text().get();
+    // "]]>" cannot stand in one CDATA section, so that a text may come in several.
+    std::string text;
+    for (const pugi::xml_node part : parent.child(child).children())
+        if (part.type() == pugi::node_pcdata || part.type() == pugi::node_cdata) text += part.value();
+    return text;
 }
 
 double E57Xml::realOf(const pugi::xml_node& node) const {

@@ -47,6 +47,13 @@ TEST(E57Reading, ReturnsColoursAndSourcesOfAConvertedLasFile) {
     EXPECT_EQ(read.info.bounds.min, Eigen::Vector3d::Constant(-0.5));
     EXPECT_EQ(read.info.bounds.max, Eigen::Vector3d::Constant(0.5));
     EXPECT_EQ(read.info.creationDayYear->second, 2022);
+    // las2e57 copies the numbers of LAS, from 1, where the standard counts from 0.
+    const PointAttributes& attributes = read.geometry.vertices.attributes();
+    for (std::size_t i = 0; i < 153; ++i) {
+        EXPECT_EQ(attributes.returnNumber[i], 1);
+        EXPECT_EQ(attributes.returnCount[i], 1);
+        EXPECT_EQ(attributes.pointSource[i], 1);
+    }
 }
 
 TEST(E57Reading, FilesWithoutPointsAreReadAndSayWhatTheyHold) {
