@@ -4,6 +4,7 @@
 
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
+#include "core/io/formats/E57Cloud.h"
 #include "core/io/formats/E57Points.h"
 #include "core/io/formats/E57Time.h"
 #include "core/io/formats/E57Writer.h"
@@ -48,7 +49,7 @@ void describe(const E57Document& document, FileInfo& info) {
     info.format = "E57";
     info.version = "1.0";
     info.metresPerUnit = 1;
-    info.attributes = e57Attributes(document);
+    info.attributes = E57Attributes(document).names();
     info.generatingSoftware = document.library;
     info.images = document.images;
     if (document.creation) info.creationDayYear = dayYearOfGps(*document.creation);
@@ -85,6 +86,24 @@ Result<FileInfo> E57Format::peek(const std::filesystem::path& file, const JobCon
         }
         info.warnings = std::move(job.warnings());
         return info;
+    });
+}
+
+Result<std::optional<LoadedGeometry>> E57Format::preview(const std::filesystem::path& file,
+                                                         std::size_t points,
+                                                         const JobControl& control) const {
+    return guarded(file.string(), [&]() -> Result<std::optional<LoadedGeometry>> {
+        const Result<MappedFile> content = MappedFile::open(file);
+        if (!content) return fail(content.error());
+        ReadJob job(file, control);
+        const E57Pages pages(content->bytes(), false, job);
+        const E57Document document = readE57Document(pages, job);
+        std::optional<PointCloud> some = previewE57Points(pages, document, points, job);
+        if (!some) return std::nullopt;
+        LoadedGeometry result = loaded({std::move(*some), {}}, "E57", "1.0", job);
+        describe(document, result.info);
+        result.heeded = true;
+        return result;
     });
 }
 

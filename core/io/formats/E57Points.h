@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/geometry/PointCloud.h"
 #include "core/io/ReadOptions.h"
 #include "core/io/formats/E57Document.h"
@@ -13,7 +15,9 @@ namespace vestige {
 PointCloud readE57Points(const E57Pages& pages, E57Document& document, const ReadOptions& options,
                          std::string& damage, ReadJob& job);
 
-/// The names of the attributes that the scans have, as FileInfo holds them.
-std::vector<std::string> e57Attributes(const E57Document& document);
+/// About `points` of them, spread over the scans, with the attributes that are drawn; of the pages only those
+/// that are needed are checked. Nothing where the file has no more points than that.
+std::optional<PointCloud> previewE57Points(const E57Pages& pages, const E57Document& document,
+                                           std::size_t points, ReadJob& job);
 
 }  // namespace vestige

@@ -50,6 +50,11 @@ void E57Rows::decode(const E57Streams& streams, std::uint64_t first, std::size_t
     }
 }
 
+void E57Rows::check(const E57Streams& streams, std::uint64_t first, std::uint64_t count,
+                    const ReadJob& job) const {
+    for (const E57Role role : wanted_) streams.check(scan_.find(role), first, count, job);
+}
+
 bool E57Rows::valid(std::size_t i) const {
     return !flagged(cartesian_ ? E57Role::cartesianInvalid : E57Role::sphericalInvalid, i);
 }

@@ -17,6 +17,8 @@ class E57Rows {
     E57Rows(const E57Scan& scan, bool drawnOnly);
     /// Decodes `count` records from `first` on, in place of those before.
     void decode(const E57Streams& streams, std::uint64_t first, std::size_t count);
+    /// Refuses where a page that decode() would touch is damaged.
+    void check(const E57Streams& streams, std::uint64_t first, std::uint64_t count, const ReadJob& job) const;
 
     std::size_t size() const { return size_; }
     /// Whether the record has a position; not where the scanner got no echo.

@@ -25,7 +25,7 @@ class E57Streams {
     /// room to work in.
     void decode(std::size_t field, std::uint64_t first, std::span<double> values,
                 std::vector<std::byte>& bytes) const;
-    /// Whether the pages that decode() would touch are whole.
+    /// Refuses where a page that decode() would touch is damaged.
     void check(std::size_t field, std::uint64_t first, std::uint64_t count, const ReadJob& job) const;
 
   private:

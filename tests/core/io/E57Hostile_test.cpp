@@ -281,8 +281,25 @@ TEST(E57Hostile, PartsOfAFileAreTheSameAsPartsOfTheWhole) {
     }
     ASSERT_GT(kept.size(), 100);
     EXPECT_EQ(largestDifference(whole.select(kept), part->geometry.vertices), 0);
+}
+
+TEST(E57Hostile, APeekAndAPreviewTellWhatReadingFinds) {
+    VESTIGE_SHARED_OR_SKIP(file, "formats/e57/reference/bunnyDouble.e57");
+    const PointCloud whole = readOrFail(file).geometry.vertices;
     const Result<FileInfo> peeked = peekFile(file);
     ASSERT_TRUE(peeked);
     EXPECT_EQ(peeked->points, 30571);
     EXPECT_LT((peeked->bounds.max - whole.bounds().max).norm(), 1e-6);
+    const FileFormat* format = *formatOfFile(file);
+    const Result<std::optional<LoadedGeometry>> preview = format->preview(file, 3000, {});
+    ASSERT_TRUE(preview && *preview);
+    const PointCloud& some = (*preview)->geometry.vertices;
+    EXPECT_GT(some.size(), 2500);
+    EXPECT_LE(some.size(), 3100);
+    // Runs of 64 from the beginning of strides of 64 * 11.
+    for (std::size_t i = 0; i < some.size(); ++i)
+        ASSERT_EQ(some.point(i), whole.point(i / 64 * 704 + i % 64));
+    const Result<std::optional<LoadedGeometry>> all = format->preview(file, 40000, {});
+    ASSERT_TRUE(all);
+    EXPECT_FALSE(*all);
 }
