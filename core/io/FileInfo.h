@@ -29,7 +29,7 @@ struct ScanInfo {
     std::string name;
     std::string guid;
     std::uint64_t points = 0;
-    Pose fileFromScan;  ///< where the scanner stood; identity where the file does not say
+    Pose fileFromScan = Pose::Identity();  ///< where the scanner stood; identity where the file does not say
     std::string sensorVendor;
     std::string sensorModel;
     std::string sensorSerial;

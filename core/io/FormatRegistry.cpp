@@ -9,6 +9,7 @@
 #include "core/base/Parallel.h"
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/Coordinates.h"
+#include "core/io/formats/E57Format.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -85,6 +86,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
     static const std::vector<std::unique_ptr<FileFormat>> formats = [] {
         std::vector<std::unique_ptr<FileFormat>> all;
         all.push_back(std::make_unique<LasFormat>());
+        all.push_back(std::make_unique<E57Format>());
         all.push_back(std::make_unique<PlyFormat>());
         all.push_back(std::make_unique<PcdFormat>());
         all.push_back(std::make_unique<VtkFormat>());

@@ -84,7 +84,7 @@ TEST_P(RoundTrip, LeavesWhatStoodThereWhenCancelled) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
-                         testing::Values("las", "laz", "ply", "pcd", "csv", "xyz", "txt", "asc", "pts"));
+                         testing::Values("las", "laz", "e57", "ply", "pcd", "csv", "xyz", "txt", "asc", "pts"));
 
 TEST(PlyFormat, KeepsTriangles) {
     const TemporaryFolder folder;

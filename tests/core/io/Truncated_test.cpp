@@ -69,4 +69,4 @@ TEST_P(Damaged, WrongBytesAreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Damaged,
-                         testing::Values("las", "laz", "ply", "pcd", "csv", "pts", "vtk", "obj", "stl"));
+                         testing::Values("las", "laz", "e57", "ply", "pcd", "csv", "pts", "vtk", "obj", "stl"));
