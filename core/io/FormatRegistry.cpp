@@ -11,6 +11,7 @@
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
 #include "core/io/formats/PlyFormat.h"
+#include "core/io/formats/PntsFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
 #include "core/io/formats/VtkFormat.h"
@@ -69,6 +70,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<LasFormat>());
         all.push_back(std::make_unique<PlyFormat>());
         all.push_back(std::make_unique<PcdFormat>());
+        all.push_back(std::make_unique<PntsFormat>());
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());
