@@ -14,6 +14,7 @@
 #include "core/io/formats/PntsFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
+#include "core/io/formats/TilesetFormat.h"
 #include "core/io/formats/VtkFormat.h"
 
 namespace vestige {
@@ -71,6 +72,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<PlyFormat>());
         all.push_back(std::make_unique<PcdFormat>());
         all.push_back(std::make_unique<PntsFormat>());
+        all.push_back(std::make_unique<TilesetFormat>());
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());

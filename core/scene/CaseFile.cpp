@@ -5,6 +5,7 @@
 
 #include "core/base/AtomicFile.h"
 #include "core/base/JsonSize.h"
+#include "core/io/LooksLikeTileset.h"
 #include "core/scene/casefile/CaseJson.h"
 
 namespace vestige {
@@ -64,7 +65,7 @@ bool looksLikeCase(const fs::path& path) {
     std::string extension = path.extension().string();
     if (!path.has_filename()) extension = path.parent_path().extension().string();
     std::error_code ignored;
-    return extension == ".vestige" || extension == ".json" ||
+    return extension == ".vestige" || (extension == ".json" && !looksLikeTileset(path)) ||
            fs::is_regular_file(path / "case.json", ignored);
 }
 

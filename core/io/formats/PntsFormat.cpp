@@ -37,17 +37,7 @@ Result<FileInfo> PntsFormat::peek(const std::filesystem::path& file, const JobCo
         info.version = versionText(tables);
         info.points = tables.points;
         info.metresPerUnit = 1;
-        const auto name = [&](bool present, const char* text) {
-            if (present) info.attributes.emplace_back(text);
-        };
-        name(tables.has(PointField::intensity), "intensity");
-        name(tables.hasColor(), "color");
-        name(tables.has(PointField::classification), "classification");
-        name(tables.has(PointField::gpsTime), "gps_time");
-        name(tables.hasNormals(), "normals");
-        name(tables.has(PointField::pointSource), "point_source");
-        name(tables.has(PointField::returnNumber), "return_number");
-        name(tables.has(PointField::returnCount), "return_count");
+        info.attributes = tables.attributes().names();
         return info;
     });
 }

@@ -89,9 +89,7 @@ void addPntsPoints(const PntsTables& tables, const Eigen::Matrix4d& rootFromTile
                    ReadJob& job) {
     const auto color = colorsOf(tables);
     const auto normal = normalsOf(tables);
-    TileAttributes has{.color = bool(color), .normals = bool(normal)};
-    for (const PntsArray& property : tables.properties) has[property.field] = true;
-    cloud.beginTile(has, tables.points);
+    cloud.beginTile(tables.attributes(), tables.points);
     if (tables.points == 0) return;
 
     const bool moved = !rootFromTile.isIdentity(0);

@@ -323,8 +323,12 @@ bool PntsTables::has(PointField field) const {
                        [&](const PntsArray& array) { return array.field == field; });
 }
 
-bool PntsTables::hasColor() const {
-    return feature("RGBA") || feature("RGB") || feature("RGB565") || constantColor;
+TileAttributes PntsTables::attributes() const {
+    TileAttributes attributes;
+    attributes.color = feature("RGBA") || feature("RGB") || feature("RGB565") || constantColor;
+    attributes.normals = feature("NORMAL") || feature("NORMAL_OCT16P");
+    for (const PntsArray& property : properties) attributes[property.field] = true;
+    return attributes;
 }
 
 PntsTables parsePntsTables(std::span<const std::byte> bytes, const PntsHeader& header, bool salvage,

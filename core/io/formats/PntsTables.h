@@ -14,6 +14,7 @@
 #include "core/io/ReadJob.h"
 #include "core/io/ScalarType.h"
 #include "core/io/formats/PntsHeader.h"
+#include "core/io/formats/TileAttributes.h"
 
 namespace vestige {
 
@@ -50,8 +51,7 @@ struct PntsTables {
 
     const PntsArray* feature(std::string_view name) const;
     bool has(PointField field) const;
-    bool hasColor() const;
-    bool hasNormals() const { return feature("NORMAL") || feature("NORMAL_OCT16P"); }
+    TileAttributes attributes() const;
 };
 
 /// Parses the tables without decoding Draco. Refuses arrays that leave their section; with `salvage`, those

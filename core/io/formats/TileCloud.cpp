@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::size_t kMostReserved = std::size_t{1} << 24;
 
-constexpr std::pair<PointField, const char*> kFieldNames[]{
-    {PointField::intensity, "intensity"},        {PointField::classification, "classification"},
-    {PointField::gpsTime, "gps_time"},           {PointField::pointSource, "point_source"},
-    {PointField::returnNumber, "return_number"}, {PointField::returnCount, "return_count"}};
-
 template <class Number>
 Number whole(double value) {
     if (std::isnan(value)) return 0;
@@ -30,14 +25,10 @@ TileCloud::TileCloud(const ReadOptions& options)
       all_(options.attributes == ReadOptions::Attributes::all) {}
 
 void TileCloud::beginTile(const TileAttributes& attributes, std::size_t points) {
-    const bool same = attributes.color == any_.color && attributes.normals == any_.normals &&
-                      attributes.fields == any_.fields;
-    if (!first_ && !same && points > 0) partial_ = true;
+    if (!first_ && !(attributes == any_) && points > 0) partial_ = true;
     if (first_ && !box_) builder_.reserve(std::min(points / keepEvery_ + 1, kMostReserved));
     if (points > 0) first_ = false;
-    any_.color |= attributes.color;
-    any_.normals |= attributes.normals;
-    for (std::size_t i = 0; i < any_.fields.size(); ++i) any_.fields[i] |= attributes.fields[i];
+    any_.add(attributes);
     padAttributes();
 }
 
@@ -92,23 +83,13 @@ void TileCloud::addValue(PointField field, double value) {
     }
 }
 
-std::vector<std::string> TileCloud::attributeNames() const {
-    std::vector<std::string> names;
-    for (const auto& [field, name] : kFieldNames) {
-        if (any_[field]) names.emplace_back(name);
-        if (field == PointField::intensity && any_.color) names.emplace_back("color");
-        if (field == PointField::gpsTime && any_.normals) names.emplace_back("normals");
-    }
-    return names;
-}
-
 LoadedGeometry TileCloud::finish(std::string format, std::string version, ReadJob& job) && {
     padAttributes();
     if (partial_)
         job.warn("not all tiles have the same attributes; those that a tile lacks are zero in its points");
     LoadedGeometry result =
         loaded({std::move(builder_).build(), {}}, std::move(format), std::move(version), job);
-    result.info.attributes = attributeNames();
+    result.info.attributes = any_.names();
     result.info.metresPerUnit = 1;
     result.heeded = true;
     return result;

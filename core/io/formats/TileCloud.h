@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -9,18 +8,9 @@
 #include "core/io/FileFormat.h"
 #include "core/io/PointField.h"
 #include "core/io/ReadJob.h"
+#include "core/io/formats/TileAttributes.h"
 
 namespace vestige {
-
-/// Which attributes the points of a tile have.
-struct TileAttributes {
-    bool color = false;
-    bool normals = false;
-    std::array<bool, static_cast<std::size_t>(PointField::returnCount) + 1> fields{};
-
-    bool& operator[](PointField field) { return fields[static_cast<std::size_t>(field)]; }
-    bool operator[](PointField field) const { return fields[static_cast<std::size_t>(field)]; }
-};
 
 /// Collects the points of many tiles, in the order in which they come, as one cloud, and leaves out at once
 /// what the options leave out. An attribute that only some tiles have is zero in the others.
@@ -45,7 +35,6 @@ class TileCloud {
 
   private:
     void padAttributes();
-    std::vector<std::string> attributeNames() const;
 
     PointCloudBuilder builder_;
     std::optional<BoundingBox> box_;
