@@ -7,6 +7,8 @@
 
 #include "core/base/AtomicFile.h"
 #include "core/base/CleanText.h"
+#include "core/base/JsonSize.h"
+#include "core/io/LooksLikeTileset.h"
 #include "core/scene/casefile/CaseJson.h"
 
 namespace vestige {
@@ -20,31 +22,13 @@ constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr std::size_t kMostValues = 1000000;
 constexpr int kDeepest = 64;
 
-/// Refuses a text that would make a tree too deep or too large, before there is any. Knows just enough of
-/// JSON to tell brackets and commas from text.
+/// Refuses a text that would make a tree too deep or too large, before there is any.
 void checkSize(const std::string& text, const std::string& file) {
-    std::size_t values = 0;
-    int depth = 0;
-    bool inText = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (inText) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                inText = false;
-            continue;
-        }
-        inText = c == '"';
-        const bool opens = c == '[' || c == '{';
-        if (opens) ++depth;
-        if (c == ']' || c == '}') --depth;
-        if (opens || c == ',') ++values;
-        if (depth > kDeepest)
-            throw ErrorException{{ErrorCode::input, "the JSON is nested deeper than any case", file, {}}};
-        if (values > kMostValues)
-            throw ErrorException{{ErrorCode::input, "the JSON holds more values than any case", file, {}}};
-    }
+    const JsonSize size = jsonSize(text);
+    if (size.depth > kDeepest)
+        throw ErrorException{{ErrorCode::input, "the JSON is nested deeper than any case", file, {}}};
+    if (size.values > kMostValues)
+        throw ErrorException{{ErrorCode::input, "the JSON holds more values than any case", file, {}}};
 }
 
 /// Refuses a key that stands twice in one object: which of the two counts, every reader of JSON decides for
@@ -108,7 +92,7 @@ bool looksLikeCase(const fs::path& path) {
     std::string extension = path.extension().string();
     if (!path.has_filename()) extension = path.parent_path().extension().string();
     std::error_code ignored;
-    return extension == ".vestige" || extension == ".json" ||
+    return extension == ".vestige" || (extension == ".json" && !looksLikeTileset(path)) ||
            fs::is_regular_file(path / "case.json", ignored);
 }
 

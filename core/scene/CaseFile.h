@@ -20,8 +20,8 @@ Result<SceneState> readCase(const std::filesystem::path& file, std::vector<std::
 /// ErrorCode::output on failure. For NAME.vestige the folder is made and case.json written into it.
 Status writeCase(const std::filesystem::path& file, const SceneState& scene);
 
-/// True for NAME.vestige folders and files and for *.json: what `reconstruct`, `screenshot` and the window
-/// open as a case.
+/// True for NAME.vestige folders and files and for *.json, except a 3D Tiles tileset, which is a cloud: what
+/// `reconstruct`, `screenshot` and the window open as a case.
 bool looksLikeCase(const std::filesystem::path& path);
 
 /// The JSON file of a case: `path` itself, or case.json in it for a folder and for a NAME.vestige that is yet

@@ -215,6 +215,13 @@ TEST(CaseFile, LooksLikeCase) {
     EXPECT_FALSE(looksLikeCase(folder.path()));
     ASSERT_TRUE(writeTextFile(folder / "case.json", "{}"));
     EXPECT_TRUE(looksLikeCase(folder.path()));
+    // A tileset is a cloud, whatever it is called; a file that says it is a case is one.
+    ASSERT_TRUE(writeTextFile(folder / "tileset.json", R"({"asset":{"version":"1.0"},"root":{}})"));
+    EXPECT_FALSE(looksLikeCase(folder / "tileset.json"));
+    ASSERT_TRUE(writeTextFile(folder / "both.json", R"({"vestige":1,"asset":{},"root":{}})"));
+    EXPECT_TRUE(looksLikeCase(folder / "both.json"));
+    ASSERT_TRUE(writeTextFile(folder / "broken.json", "{"));
+    EXPECT_TRUE(looksLikeCase(folder / "broken.json"));
 }
 
 TEST(CaseFile, WritingFailsWithoutTouchingWhatStoodThere) {

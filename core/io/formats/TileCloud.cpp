@@ -1,0 +1,98 @@
+#include "core/io/formats/TileCloud.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/Describe.h"
+
+namespace vestige {
+namespace {
+
+constexpr std::size_t kMostReserved = std::size_t{1} << 24;
+
+template <class Number>
+Number whole(double value) {
+    if (std::isnan(value)) return 0;
+    return static_cast<Number>(
+        std::nearbyint(std::clamp(value, 0.0, static_cast<double>(std::numeric_limits<Number>::max()))));
+}
+
+}  // namespace
+
+TileCloud::TileCloud(const ReadOptions& options)
+    : box_(options.box),
+      keepEvery_(std::max<std::uint32_t>(1, options.keepEvery)),
+      all_(options.attributes == ReadOptions::Attributes::all) {}
+
+void TileCloud::beginTile(const TileAttributes& attributes, std::size_t points) {
+    if (!first_ && !(attributes == any_) && points > 0) partial_ = true;
+    if (first_ && !box_) builder_.reserve(std::min(points / keepEvery_ + 1, kMostReserved));
+    if (points > 0) first_ = false;
+    any_.add(attributes);
+    padAttributes();
+}
+
+void TileCloud::padAttributes() {
+    PointAttributes& attributes = builder_.attributes();
+    const std::size_t size = builder_.size();
+    const auto pad = [size](auto& values, bool present) {
+        if (present) values.resize(size);
+    };
+    pad(attributes.color, any_.color);
+    if (any_.normals) attributes.normal.resize(size, Eigen::Vector3f::Zero());
+    const auto kept = [&](PointField field) { return any_[field] && wants(field); };
+    pad(attributes.intensity, kept(PointField::intensity));
+    pad(attributes.classification, kept(PointField::classification));
+    pad(attributes.gpsTime, kept(PointField::gpsTime));
+    pad(attributes.pointSource, kept(PointField::pointSource));
+    pad(attributes.returnNumber, kept(PointField::returnNumber));
+    pad(attributes.returnCount, kept(PointField::returnCount));
+}
+
+bool TileCloud::add(const Eigen::Vector3d& point) {
+    if (box_ && !((point.array() >= box_->min.array()).all() && (point.array() <= box_->max.array()).all()))
+        return false;
+    if (met_++ % keepEvery_ != 0) return false;
+    builder_.add(point);
+    return true;
+}
+
+void TileCloud::addValue(PointField field, double value) {
+    PointAttributes& attributes = builder_.attributes();
+    switch (field) {
+        case PointField::intensity:
+            attributes.intensity.push_back(static_cast<float>(value));
+            break;
+        case PointField::classification:
+            attributes.classification.push_back(whole<std::uint8_t>(value));
+            break;
+        case PointField::gpsTime:
+            attributes.gpsTime.push_back(value);
+            break;
+        case PointField::pointSource:
+            attributes.pointSource.push_back(whole<std::uint16_t>(value));
+            break;
+        case PointField::returnNumber:
+            attributes.returnNumber.push_back(whole<std::uint8_t>(value));
+            break;
+        case PointField::returnCount:
+            attributes.returnCount.push_back(whole<std::uint8_t>(value));
+            break;
+        default:
+            break;
+    }
+}
+
+LoadedGeometry TileCloud::finish(std::string format, std::string version, ReadJob& job) && {
+    padAttributes();
+    if (partial_)
+        job.warn("not all tiles have the same attributes; those that a tile lacks are zero in its points");
+    LoadedGeometry result =
+        loaded({std::move(builder_).build(), {}}, std::move(format), std::move(version), job);
+    result.info.attributes = any_.names();
+    result.info.metresPerUnit = 1;
+    result.heeded = true;
+    return result;
+}
+
+}  // namespace vestige
