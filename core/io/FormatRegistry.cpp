@@ -13,6 +13,7 @@
 #include "core/io/formats/PlyFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
+#include "core/io/formats/ThreeMfFormat.h"
 #include "core/io/formats/VtkFormat.h"
 
 namespace vestige {
@@ -72,6 +73,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());
+        all.push_back(std::make_unique<ThreeMfFormat>());
         all.push_back(std::make_unique<TextFormat>());
         return all;
     }();
