@@ -7,6 +7,7 @@
 
 #include "core/base/Hash.h"
 #include "core/io/ApplyReadOptions.h"
+#include "core/io/formats/GltfFormat.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -73,6 +74,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());
+        all.push_back(std::make_unique<GltfFormat>());
         all.push_back(std::make_unique<ThreeMfFormat>());
         all.push_back(std::make_unique<TextFormat>());
         return all;
