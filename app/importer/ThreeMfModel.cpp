@@ -127,8 +127,9 @@ class Model {
 }  // namespace
 
 void sendThreeMf(std::span<const std::byte> file, ImportSender& sender) {
-    const ThreeMfVerdict verdict = checkThreeMf(file);
+    // In this order: lib3mf follows components without bound.
     Model model(file);
+    const ThreeMfVerdict verdict = checkThreeMf(file);
     if (verdict.given && (model.vertices() != verdict.vertices || model.triangles() != verdict.triangles))
         refuse("lib3mf finds " + counted(verdict.vertices, "vertex") + " and " +
                    counted(verdict.triangles, "triangle") + ", the file's text has " +

@@ -49,13 +49,15 @@ GltfAccessor GltfAccessors::take(std::uint64_t index, const std::string& why) {
         source_.job().refuse("accessor " + std::to_string(index) + " of " + why + " holds '" + accessor.type +
                                  "' of the component type " + std::to_string(accessor.componentType),
                              "scalars or vectors of the types that glTF 2.0 lists");
-    // What no view holds is zero and costs the file nothing; 2^24 such items are enough.
-    if (accessor.count == 0 || accessor.count > 0xffffffff ||
-        (!from.contains("bufferView") && accessor.count > (1u << 24)))
+    if (accessor.count == 0 || accessor.count > 0xffffffff)
         source_.job().refuse("accessor " + std::to_string(index) + " of " + why + " promises " +
                                  std::to_string(accessor.count) + " items",
                              "at least one, and as many as its buffer view holds");
     accessor.bytes = item * accessor.count;
+    // All zeros by the specification; Assimp has no data for them.
+    if (!from.contains("bufferView"))
+        source_.job().refuse("accessor " + std::to_string(index) + " of " + why + " names no buffer view",
+                             "accessors with a buffer view");
     json to = {{"type", accessor.type}, {"componentType", accessor.componentType}, {"count", accessor.count}};
     if (accessor.normalized) to["normalized"] = true;
     if (const auto view = source_.find(from, "bufferView")) {

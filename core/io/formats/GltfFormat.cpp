@@ -1,5 +1,6 @@
 #include "core/io/formats/GltfFormat.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -49,6 +50,7 @@ ImportRequest requestOf(const Parsed& parsed, ReadJob& job) {
     ImportRequest request;
     request.format = "gltf";
     request.memoryBytes = importMemoryFor(parsed.scene.bytes + parsed.scene.document.size());
+    request.time = importTimeFor(parsed.scene.bytes + parsed.scene.document.size());
     // Coordinates come back as double, triangles as 12 bytes for what may be three bytes of the file.
     request.resultBytes = 65536 + 8 * parsed.scene.bytes + 256 * parsed.scene.primitives.size();
     nlohmann::json words = {{"document", parsed.scene.document}, {"buffers", nlohmann::json::array()}};
@@ -143,11 +145,13 @@ Result<LoadedGeometry> GltfFormat::read(const std::filesystem::path& file, const
         ReadJob job(file, control);
         Parsed parsed = parse(*content, job);
         const std::uint64_t most = mostVertices(parsed, content->bytes().size());
-        std::uint64_t vertices = 0;
+        std::uint64_t vertices = 0, placed = 0;
         for (const GltfPrimitive& primitive : parsed.scene.primitives) vertices += primitive.vertices;
-        if (vertices > most)
+        for (const ImportedInstance& instance : parsed.scene.instances)
+            placed += parsed.scene.primitives[instance.mesh].vertices;
+        if (std::max(vertices, placed) > most)
             job.refuse(
-                "the meshes of the file share their vertices until they have " + std::to_string(vertices),
+                "the file repeats its vertices until it has " + std::to_string(std::max(vertices, placed)),
                 "at most " + std::to_string(most) + " for a file of its size");
         ImportedScene scene;
         if (!parsed.scene.primitives.empty()) scene = importScene(requestOf(parsed, job), job, control);

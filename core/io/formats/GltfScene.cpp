@@ -15,6 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t kFloat = 5126, kByte = 5121, kShort = 5123, kInt = 5125;
+constexpr std::size_t kMostInstances = 1'000'000;
 /// Materials and textures change nothing of the geometry.
 constexpr std::string_view kHarmless[] = {
     "KHR_texture_transform", "KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif",
@@ -30,6 +31,9 @@ class SceneReader {
         for (const GltfMeshPlace& place : walkGltfNodes(document_)) {
             const auto& [first, last] = primitivesOf(place.mesh);
             for (std::uint32_t i = first; i < last; ++i) scene_.instances.push_back({i, place.worldFromMesh});
+            if (scene_.instances.size() > kMostInstances)
+                job_.refuse("the scene repeats its meshes without end",
+                            "at most " + std::to_string(kMostInstances) + " primitives at their places");
         }
         for (const std::string& warning : warnings_) job_.warn(warning);
         scene_.buffers = accessors_.buffers();

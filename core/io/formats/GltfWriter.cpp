@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/base/Numbers.h"
 #include "core/io/Bytes.h"
 #include "core/io/WriteJob.h"
 #include "core/io/formats/Base64.h"
@@ -214,9 +215,12 @@ void writeTextFile(AtomicFile& target, const GltfDocument& document) {
 
 }  // namespace
 
-Status writeGltf(const std::filesystem::path& file, const TriangleMesh& geometry,
-                 const WriteOptions& /*options*/, const JobControl& control) {
+Status writeGltf(const std::filesystem::path& file, const TriangleMesh& geometry, const WriteOptions& options,
+                 const JobControl& control) {
     return writeAtomically(file, [&](AtomicFile& target) {
+        if (options.source && options.source->metresPerUnit.value_or(1) != 1)
+            control.message("coordinates are written as they are, but a unit of the source is " +
+                            exactText(*options.source->metresPerUnit) + " m, and glTF counts in metres");
         const GltfDocument document(geometry, control);
         constexpr std::size_t kMost = 0xffffffff - (std::size_t{1} << 20);
         if (document.binaryBytes() > kMost)

@@ -42,6 +42,7 @@ Result<LoadedGeometry> ThreeMfFormat::read(const std::filesystem::path& file, co
         request.format = "3mf";
         request.files.push_back(openForReading(file));
         request.memoryBytes = importMemoryFor(inflated);
+        request.time = importTimeFor(inflated);
         request.resultBytes = 65536 + kSentPerByte * inflated;
         ImportedScene scene = importScene(std::move(request), job, control);
         const std::optional<double> unit = scene.metresPerUnit;

@@ -25,6 +25,8 @@ using Clock = std::chrono::steady_clock;
 
 /// How soon a cancel is seen.
 constexpr int kPollMilliseconds = 20;
+/// Seconds on the wall for one of the processor: other programs want it too.
+constexpr int kWall = 3;
 
 [[noreturn]] void failSystem(const std::string& what, const std::string& place) {
     throw ErrorException{{ErrorCode::input, what, place, std::strerror(errno)}};
@@ -63,7 +65,7 @@ Descriptor movedUp(int number, const std::string& place) {
 class Child {
   public:
     Child(const ImportRequest& request, const ReadJob& job, const JobControl& control)
-        : request_(request), job_(job), control_(control), deadline_(Clock::now() + request.time) {
+        : request_(request), job_(job), control_(control), deadline_(Clock::now() + kWall * request.time) {
         start();
     }
     ~Child() {
@@ -125,8 +127,9 @@ class Child {
         for (;;) {
             if (control_.cancelled()) throw ErrorException{cancelledError()};
             if (Clock::now() > deadline_)
-                job_.refuse("reading takes more than " + std::to_string(request_.time.count()) + " s",
-                            "a file that its reader is done with in that time");
+                job_.refuse(
+                    "reading takes more than " + std::to_string((kWall * request_.time).count()) + " s",
+                    "a file that its reader is done with in that time");
             pollfd entry{output_.number(), POLLIN, 0};
             const int ready = ::poll(&entry, 1, kPollMilliseconds);
             if (ready > 0) return;
@@ -211,6 +214,10 @@ std::uint64_t importMemoryFor(std::uint64_t fileBytes) {
     constexpr std::uint64_t kTimes = 24;
     const std::uint64_t wanted = kFloor + kTimes * std::min(fileBytes, std::uint64_t{1} << 50);
     return std::max(kFloor, std::min(wanted, availableMemory()));
+}
+
+std::chrono::seconds importTimeFor(std::uint64_t fileBytes) {
+    return std::chrono::seconds(10 + std::min<std::uint64_t>(fileBytes / 1'000'000, 36'000));
 }
 
 std::filesystem::path importerProgram() {

@@ -37,12 +37,15 @@ struct ImportRequest {
     std::vector<Descriptor> files;                       ///< what it finds as descriptors 3, 4, ...
     std::uint64_t memoryBytes = std::uint64_t{1} << 30;  ///< of its address space, libraries included
     std::uint64_t resultBytes = std::uint64_t{1} << 30;  ///< the most that it may send
-    std::chrono::seconds time{120};                      ///< of the wall and of the processor
+    std::chrono::seconds time{30};                       ///< of the processor; of the wall three times that
 };
 
 /// Address space for a reader that holds a file of this size several times over: never under 1 GiB, never
 /// more than the machine has free.
 std::uint64_t importMemoryFor(std::uint64_t fileBytes);
+
+/// Time of the processor for a reader of this many bytes: 10 s, and one for each million.
+std::chrono::seconds importTimeFor(std::uint64_t fileBytes);
 
 /// The program vestige-import: beside this program, in ../libexec/vestige, or where the environment's
 /// VESTIGE_IMPORT says. Empty where there is none.
