@@ -10,6 +10,7 @@
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/Coordinates.h"
 #include "core/io/formats/E57Format.h"
+#include "core/io/formats/GltfFormat.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -19,6 +20,7 @@
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
 #include "core/io/formats/TilesetFormat.h"
+#include "core/io/formats/ThreeMfFormat.h"
 #include "core/io/formats/VtkFormat.h"
 
 namespace vestige {
@@ -98,6 +100,8 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());
+        all.push_back(std::make_unique<GltfFormat>());
+        all.push_back(std::make_unique<ThreeMfFormat>());
         all.push_back(std::make_unique<TextFormat>());
         return all;
     }();
