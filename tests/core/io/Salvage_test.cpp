@@ -98,8 +98,8 @@ TEST_P(Salvage, OfAFileCutAnywhereTheFirstPointsAreReadAndTheRestIsSaid) {
 INSTANTIATE_TEST_SUITE_P(Formats, Salvage,
                          testing::Values("ascii.ply", "binary.ply", "ascii.pcd", "binary.pcd", "rows.xyz",
                                          "counted.pts", "ascii.vtk", "ascii.stl", "binary.stl"),
-                         [](const auto& info) {
-                             std::string name = info.param;
+                         [](const auto& kind) {
+                             std::string name = kind.param;
                              std::replace(name.begin(), name.end(), '.', '_');
                              return name;
                          });
