@@ -24,6 +24,7 @@ struct Options {
     std::string unit = "auto";
     std::string aligned;
     ParameterSet parameters{registrationParameters()};
+    ReadOptions reading;
 };
 
 /// Where the source starts from, and what the user should know about it.

@@ -14,7 +14,8 @@ namespace {
 
 // The packed formats set the pace: a byte of LZF may stand for 88, a point of three bytes is kept in 12 and
 // more.
-constexpr std::size_t kFixed = std::size_t{192} << 20;  // LASzip, and what a short LAZ file may unpack to
+// What LASzip needs, and a short LAZ file may unpack to; other readers need next to nothing.
+constexpr std::size_t kFixed = std::size_t{std::string_view(VESTIGE_FUZZ_FORMAT) == "las" ? 192 : 8} << 20;
 constexpr std::size_t kPerByte = 1000;
 constexpr double kFarthest = 1e10;
 

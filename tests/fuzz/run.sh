@@ -33,9 +33,8 @@ for target in "${targets[@]}"; do
     python3 tests/fuzz/seeds.py "$target" "$seeds"
     options=(-max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 -print_final_stats=1
         -artifact_prefix="build/fuzz/findings/$target-" -verbosity=1 -close_fd_mask=1)
-    for dictionary in tests/fuzz/dictionaries/"$target".dict; do
-        [ ! -e "$dictionary" ] || options+=(-dict="$dictionary")
-    done
+    dictionary=tests/fuzz/dictionaries/$target.dict
+    if [ -e "$dictionary" ]; then options+=(-dict="$dictionary"); fi
     log=build/fuzz/findings/$target.log
     status=0
     nice "$bin/fuzz_$target" "${options[@]}" "$corpus" "$seeds" >"$log" 2>&1 || status=$?

@@ -221,9 +221,9 @@ class BodyReader {
     std::size_t wholeColumns(std::size_t bytes) const {
         std::size_t points = header_.points;
         for (const PcdField& field : header_.fields) {
+            if (field.count == 0) continue;
             const std::size_t begin = field.offset * header_.points;
-            points = std::min(points,
-                              bytes < begin ? 0 : (bytes - begin) / std::max<std::size_t>(1, field.bytes()));
+            points = std::min(points, bytes < begin ? 0 : (bytes - begin) / field.bytes());
         }
         return points;
     }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/base/CleanText.h"
 #include "core/base/Numbers.h"
 #include "core/io/TextScanner.h"
 
@@ -65,7 +66,7 @@ class HeaderParser {
     void parseLine(const std::vector<std::string_view>& words) {
         const std::string_view key = words.front();
         if (key == "VERSION") {
-            if (words.size() > 1) header_.version = std::string(words[1].substr(0, 16));
+            if (words.size() > 1) header_.version = cleanText(words[1].substr(0, 16));
         } else if (key == "FIELDS" || key == "COLUMNS") {
             header_.fieldsLine = line_;
             for (std::size_t i = 1; i < words.size(); ++i) names_.emplace_back(words[i]);
@@ -145,7 +146,7 @@ class HeaderParser {
     void addField(std::size_t i) {
         const auto type = scalarType(types_[i], sizes_[i]);
         if (!type)
-            refuse("the field " + names_[i] + " has a TYPE and SIZE that do not exist together",
+            refuse("the field " + cleanText(names_[i]) + " has a TYPE and SIZE that do not exist together",
                    "I or U of 1, 2, 4, 8 bytes, F of 4, 8");
         if (counts_[i] > kMostColumns || header_.columns > kMostColumns)
             refuse("the points have more values than any file needs",
