@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -10,8 +11,7 @@
 namespace vestige {
 
 /// Allocates like ScratchArray (large arrays ask for large pages), and leaves items without a value where
-/// none is given: resize() costs no time on zeros, so that many threads can fill an array whose memory they
-/// are the first to touch.
+/// none is given.
 template <class Item>
 struct LargeAllocator {
     using value_type = Item;
@@ -43,6 +43,29 @@ struct LargeAllocator {
 
 /// A std::vector for the arrays of large clouds. Items are trivial types.
 template <class Item>
-using LargeArray = std::vector<Item, LargeAllocator<Item>>;
+class LargeArray : public std::vector<Item, LargeAllocator<Item>> {
+    using Base = std::vector<Item, LargeAllocator<Item>>;
+
+  public:
+    using Base::Base;
+    explicit LargeArray(std::size_t count) { resize(count); }
+
+    /// New items are as those of a std::vector: numbers zero, vectors of Eigen without a value.
+    void resize(std::size_t count) {
+        if constexpr (std::is_trivially_default_constructible_v<Item>)
+            Base::resize(count, Item{});
+        else
+            Base::resize(count);
+    }
+    void resize(std::size_t count, const Item& value) { Base::resize(count, value); }
+    /// New items have no value: no time is lost on zeros, and many threads can fill memory that they are the
+    /// first to touch. Who calls it fills every item.
+    void resizeToFill(std::size_t count) { Base::resize(count); }
+    static LargeArray toFill(std::size_t count) {
+        LargeArray array;
+        array.resizeToFill(count);
+        return array;
+    }
+};
 
 }  // namespace vestige

@@ -18,7 +18,7 @@ template <class Value>
 LargeArray<Value> selected(const LargeArray<Value>& all, std::span<const std::uint32_t> indices) {
     LargeArray<Value> chosen;
     if (all.empty()) return chosen;
-    chosen.resize(indices.size());
+    chosen.resizeToFill(indices.size());
     parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) chosen[i] = all[indices[i]];
     });

@@ -30,6 +30,13 @@ class Intensities {
 
     void reserve(std::size_t count) { words_.reserve(count); }
     void push_back(float value);
+    /// New ones are zero.
+    void resize(std::size_t count) {
+        if (floats_.empty())
+            words_.resize(count, std::uint16_t{0});
+        else
+            floats_.resize(count, 0.0F);
+    }
 
     /// The intensities of the points `indices`, in their order.
     Intensities select(std::span<const std::uint32_t> indices) const;

@@ -149,7 +149,7 @@ void Octree::build(std::uint32_t leafSize) {
         for (const auto& chunk : found)
             for (const PendingChild& child : chunk) addNode(child.begin, child.end);
     }
-    order_.resize(sorted.size());
+    order_.resizeToFill(sorted.size());
     parallelFor(sorted.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) order_[i] = sorted[i].index;
     });

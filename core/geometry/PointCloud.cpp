@@ -14,7 +14,10 @@ template <class Array>
 Array selected(const Array& all, std::span<const std::uint32_t> indices) {
     Array chosen;
     if (all.empty()) return chosen;
-    chosen.resize(indices.size());
+    if constexpr (requires { chosen.resizeToFill(indices.size()); })
+        chosen.resizeToFill(indices.size());
+    else
+        chosen.resize(indices.size());
     parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) chosen[i] = all[indices[i]];
     });

@@ -83,7 +83,7 @@ LargeArray<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, con
     }
     starts[kBuckets] = place;
 
-    LargeArray<KeyedIndex<Key>> sorted(count);
+    auto sorted = LargeArray<KeyedIndex<Key>>::toFill(count);
     parallelChunks(count, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         std::uint32_t* next = places.data() + chunk * kBuckets;
         eachKey(keysOf, begin, end, [&](std::size_t item, Key key) {
@@ -95,7 +95,7 @@ LargeArray<KeyedIndex<Key>> sortedByKey(std::size_t count, unsigned keyBits, con
         LargeArray<KeyedIndex<Key>> spare;
         for (std::size_t bucket = begin; bucket < end; ++bucket) {
             const std::size_t many = starts[bucket + 1] - starts[bucket];
-            if (spare.size() < many) spare.resize(many);
+            if (spare.size() < many) spare.resizeToFill(many);
             sortStable(std::span(sorted).subspan(starts[bucket], many), std::span(spare).first(many));
         }
     });

@@ -52,8 +52,8 @@ class Records {
         if (points_ == 0) return std::nullopt;
         if (!findReach()) return std::nullopt;
         chooseOrigin();
-        LargeArray<Eigen::Vector3f> offsets(points_);
-        LargeArray<Eigen::Vector3f> residuals(far_ ? points_ : 0);
+        auto offsets = LargeArray<Eigen::Vector3f>::toFill(points_);
+        auto residuals = LargeArray<Eigen::Vector3f>::toFill(far_ ? points_ : 0);
         prepareAttributes();
         std::atomic<std::size_t> done{0};
         parallelFor(points_, kGrain, [&](std::size_t begin, std::size_t end) {
@@ -153,7 +153,7 @@ class Records {
     }
 
     void prepareAttributes() {
-        if (has(PointField::red) || has(PointField::packedColor)) attributes_.color.resize(points_);
+        if (has(PointField::red) || has(PointField::packedColor)) attributes_.color.resizeToFill(points_);
         if (has(PointField::normalX)) attributes_.normal.resize(points_);
         if (has(PointField::classification)) attributes_.classification.resize(points_);
         if (has(PointField::gpsTime)) attributes_.gpsTime.resize(points_);
@@ -163,7 +163,7 @@ class Records {
         if (const RecordColumn* intensity = column(PointField::intensity)) {
             wordsOnly_ = intensity->type == ScalarType::uint8 || intensity->type == ScalarType::uint16;
             if (wordsOnly_)
-                words_.resize(points_);
+                words_.resizeToFill(points_);
             else
                 intensities_.resize(points_);
         }

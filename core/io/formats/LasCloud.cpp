@@ -29,10 +29,10 @@ LasCloud::LasCloud(const LasHeader& header, ReadOptions::Attributes attributes, 
       exact_(exact) {}
 
 void LasCloud::resize(std::size_t points) {
-    offsets_.resize(points);
-    if (exact_) residuals_.resize(points);
-    intensity_.resize(points);
-    if (layout_.color) attributes_.color.resize(points);
+    offsets_.resizeToFill(points);
+    if (exact_) residuals_.resizeToFill(points);
+    intensity_.resizeToFill(points);
+    if (layout_.color) attributes_.color.resizeToFill(points);
     if (!all_) return;
     attributes_.classification.resize(points);
     attributes_.pointSource.resize(points);

@@ -117,7 +117,7 @@ std::uint64_t laszip(const std::string& file) {
                                      : header->extended_number_of_point_records;
     std::vector<std::array<float, 3>> places(points);
     std::vector<std::uint16_t> intensity(points);
-    std::vector<Color> color(points);
+    LargeArray<Color> color(points);
     for (std::uint64_t i = 0; i < points; ++i) {
         if (laszip_read_point(reader) != 0) stop("LASzip cannot read a point");
         places[i] = {static_cast<float>(point->X * header->x_scale_factor),

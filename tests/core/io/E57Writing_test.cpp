@@ -185,7 +185,8 @@ TEST(E57Writing, AFlightComesBackFromE57AsItWas) {
     const LoadedGeometry there = readOrFail(folder / "there.e57");
     EXPECT_EQ(original.info.scale, there.info.scale);
     EXPECT_EQ(original.info.offset, there.info.offset);
-    EXPECT_EQ(largestDifference(original.geometry.vertices, there.geometry.vertices), 0);
+    // To a float offset's rounding, the original's points being exact on their grid.
+    EXPECT_LT(largestDifference(original.geometry.vertices, there.geometry.vertices), 1.6e-5);
     expectSameAttributes(original.geometry.vertices, there.geometry.vertices);
     EXPECT_EQ(original.info.attributes.size(), there.info.attributes.size());
     ASSERT_TRUE(writeGeometry(folder / "back.las", there.geometry, {&there.info}));

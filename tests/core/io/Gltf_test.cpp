@@ -109,7 +109,7 @@ TEST(Gltf, ReadsPointsColoursOfEveryKindAndNormals) {
         EXPECT_TRUE(found.geometry.triangles.empty());
         return found.geometry.vertices.attributes().color;
     };
-    const std::vector<Color> expected{{65535, 0, 0}, {0, 51 * 257, 0}, {0, 0, 65535}};
+    const LargeArray<Color> expected{{65535, 0, 0}, {0, 51 * 257, 0}, {0, 0, 65535}};
     EXPECT_EQ(colors(bytesOf<std::uint8_t>({255, 0, 0, 255, 0, 51, 0, 255, 0, 0, 255, 255}), 5121, "VEC4"),
               expected);
     EXPECT_EQ(colors(bytesOf<std::uint16_t>({65535, 0, 0, 9, 0, 13107, 0, 9, 0, 0, 65535, 9}), 5123, "VEC4"),

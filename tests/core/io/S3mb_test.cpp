@@ -69,7 +69,7 @@ TEST(S3mb, PointsColoursAndIntensityAreInTheirPlaces) {
             EXPECT_LT((cloud.point(2) - Eigen::Vector3d(500007.25, 4400008.5, -3.125)).norm(), 1e-9);
             EXPECT_LT((cloud.point(3) - Eigen::Vector3d(0.5, 0, 0)).norm(), 1e-9);
             EXPECT_EQ(cloud.attributes().color,
-                      (std::vector<Color>{{257, 514, 771}, {65535, 0, 0}, {0, 0, 65535}, {0, 65535, 0}}));
+                      (LargeArray<Color>{{257, 514, 771}, {65535, 0, 0}, {0, 0, 65535}, {0, 65535, 0}}));
             ASSERT_EQ(cloud.attributes().intensity.size(), 4);
             EXPECT_EQ(cloud.attributes().intensity[2], 3000);
             EXPECT_EQ(cloud.attributes().intensity[3], 7);

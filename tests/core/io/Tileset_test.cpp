@@ -169,7 +169,7 @@ TEST(Tileset, AttributesThatSomeTilesLackAreZeroThere) {
     EXPECT_EQ(attributes.intensity[0], 0);
     EXPECT_EQ(attributes.intensity[1], 9);
     EXPECT_EQ(attributes.intensity[2], 0);
-    EXPECT_EQ(attributes.color, (std::vector<Color>{{0, 0, 0}, {257, 514, 771}, {0, 0, 0}}));
+    EXPECT_EQ(attributes.color, (LargeArray<Color>{{0, 0, 0}, {257, 514, 771}, {0, 0, 0}}));
     EXPECT_EQ(loaded.info.attributes, (std::vector<std::string>{"intensity", "color"}));
     EXPECT_TRUE(contains(loaded.info.warnings, "not all tiles have the same attributes"));
     EXPECT_TRUE(contains(loaded.info.warnings, "not kept: other"));
