@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/Parallel.h"
 #include "core/io/Bytes.h"
 #include "core/io/formats/E57Bits.h"
 #include "core/io/formats/E57PageWriter.h"
@@ -17,6 +18,8 @@ constexpr std::uint64_t kIndexEntry = 16;
 constexpr std::uint64_t kMostEntries = 2048;
 /// Streams of so many records are whole 64-bit words, whatever the bits of a value.
 constexpr std::uint64_t kAligned = 64;
+/// Packets that are made in parallel before they are handed out in their order.
+constexpr std::uint64_t kTogether = 32;
 
 std::uint64_t upTo(std::uint64_t size, std::uint64_t unit) {
     return (size + unit - 1) / unit * unit;
@@ -62,9 +65,14 @@ std::uint64_t E57Section::length() const {
 void E57Section::write(const std::function<void(std::span<const std::byte>)>& out,
                        const std::function<void(std::size_t)>& step) const {
     out(header());
-    for (std::uint64_t number = 0; number < packets(); ++number) {
-        step(number * perPacket_);
-        out(packet(number));
+    std::vector<std::vector<std::byte>> made(kTogether);
+    for (std::uint64_t first = 0; first < packets(); first += kTogether) {
+        step(first * perPacket_);
+        const std::uint64_t count = std::min(kTogether, packets() - first);
+        parallelChunks(count, 1, [&](std::size_t chunk, std::size_t, std::size_t) {
+            made[chunk] = packet(first + chunk);
+        });
+        for (std::size_t i = 0; i < count; ++i) out(made[i]);
     }
     if (records() > 0) out(index());
 }
