@@ -7,6 +7,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
+#include "core/io/LooksLikeTileset.h"
 
 namespace vestige {
 namespace {
@@ -25,7 +26,10 @@ std::string extensionOf(const fs::path& file) {
     return extension;
 }
 
-bool isReadable(const std::string& extension) {
+/// By the extension; of JSON files, most of which hold poses or notes, only tilesets.
+bool isReadable(const fs::path& file) {
+    const std::string extension = extensionOf(file);
+    if (extension == "json" && !looksLikeTileset(file)) return false;
     for (const auto& format : fileFormats())
         for (const std::string& one : format->extensions())
             if (one == extension) return true;
@@ -47,8 +51,7 @@ void takeNumbered(const std::vector<fs::path>& files, const std::string& begin, 
 void takeMostFrequent(const std::vector<fs::path>& files, SequenceFiles& sequence) {
     std::map<std::string, std::vector<fs::path>> byExtension;
     for (const fs::path& file : files)
-        if (const std::string extension = extensionOf(file); isReadable(extension))
-            byExtension[extension].push_back(file);
+        if (isReadable(file)) byExtension[extensionOf(file)].push_back(file);
     for (const auto& [extension, some] : byExtension)
         if (some.size() > sequence.clouds.size()) sequence.clouds = some;
 }

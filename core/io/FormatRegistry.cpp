@@ -12,6 +12,7 @@
 #include "core/io/formats/PcdFormat.h"
 #include "core/io/formats/PlyFormat.h"
 #include "core/io/formats/PntsFormat.h"
+#include "core/io/formats/S3mbFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
 #include "core/io/formats/TilesetFormat.h"
@@ -73,6 +74,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<PcdFormat>());
         all.push_back(std::make_unique<PntsFormat>());
         all.push_back(std::make_unique<TilesetFormat>());
+        all.push_back(std::make_unique<S3mbFormat>());
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());

@@ -2,6 +2,7 @@
 import hashlib
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -53,6 +54,26 @@ class IoCli(unittest.TestCase):
                                      [576662.9701, 5188115.0602, 157.06, 6, 0, 1, 2])):
             for value, expected in zip(row, truth):
                 self.assertAlmostEqual(value, expected, delta=1e-4)
+
+    def test_a_tileset_is_a_cloud(self):
+        table = b'{"POINTS_LENGTH":2,"POSITION":{"byteOffset":0}}'.ljust(52)
+        points = struct.pack("<6f", 0, 0, 0, 1, 2, 3)
+        head = struct.pack("<4s6I", b"pnts", 1, 28 + len(table) + len(points), len(table), len(points), 0, 0)
+        (self.path / "a.pnts").write_bytes(head + table + points)
+        tileset = self.path / "tileset.json"
+        tileset.write_text(json.dumps({"asset": {"version": "1.0"}, "root": {
+            "refine": "ADD", "content": {"uri": "a.pnts"},
+            "transform": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4000000.0625, 5, 6, 1]}}))
+        (info,) = json.loads(run("--json", "info", tileset).stdout)["files"]
+        self.assertEqual((info["format"], info["points"]), ("3D Tiles", 2))
+        done = run("convert", tileset, self.path / "a.xyz")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [list(map(float, line.split()[:3])) for line in (self.path / "a.xyz").read_text().splitlines()[1:]]
+        self.assertEqual(rows, [[4000000.0625, 5, 6], [4000001.0625, 7, 9]])
+        (self.path / "case.json").write_text('{"vestige":1,"layers":[]}')
+        done = run("info", self.path / "case.json")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("a Vestige case", done.stderr)
 
     def test_convert_names_what_is_wrong(self):
         self.assertEqual(run("convert", self.cloud, self.path / "a.stl").returncode, 2)

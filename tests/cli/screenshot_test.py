@@ -122,6 +122,22 @@ class Screenshot(unittest.TestCase):
         longest = max(sum(min(pixel) > 200 for pixel in row) for row in rows[180:221])
         self.assertGreater(longest, 200, "the measured line is drawn")
 
+    def test_a_tileset_is_shown_as_a_cloud(self):
+        chance = random.Random(3)
+        table = b'{"POINTS_LENGTH":5000,"POSITION":{"byteOffset":0},"CONSTANT_RGBA":[250,250,250,255]}'.ljust(92)
+        points = struct.pack("<15000f", *(chance.uniform(0, 10) for _ in range(15000)))
+        head = struct.pack("<4s6I", b"pnts", 1, 28 + len(table) + len(points), len(table), len(points), 0, 0)
+        (self.folder / "a.pnts").write_bytes(head + table + points)
+        tileset = self.folder / "tileset.json"
+        tileset.write_text(json.dumps({"asset": {"version": "1.0"}, "geometricError": 1,
+                                       "root": {"refine": "ADD", "content": {"uri": "a.pnts"}}}))
+        out = self.folder / "p.png"
+        done = cli("--json", "screenshot", tileset, "--out", out, "--size", "320x200")
+        self.assertEqual([layer["points"] for layer in json.loads(done.stdout)["layers"]], [5000])
+        cli("screenshot", tileset, "--out", out, "--size", "1200x800", "--window")
+        width, height, rows = picture(out)
+        self.assertGreater(bright(rows), 0.005 * width * height)
+
     def test_a_case_shows_its_scans_registered(self):
         """A scan in its own frame, millimetres, must not move the picture away from the site."""
         chance = random.Random(2)

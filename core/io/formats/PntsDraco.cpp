@@ -68,8 +68,11 @@ void fill(PntsArray& array, const draco::PointCloud& cloud, PntsTables& tables, 
     const auto type = scalarOf(attribute->data_type());
     const bool sameKind = type && (array.field != PointField::none || *type == array.type ||
                                    (array.name == "BATCH_ID" && isInteger(*type)));
-    if (!sameKind || static_cast<std::size_t>(attribute->num_components()) != array.components)
+    const auto components = static_cast<std::size_t>(attribute->num_components());
+    const bool color = (array.name == "RGB" || array.name == "RGBA") && components >= 3;
+    if (!sameKind || (components != array.components && !color))
         job.refuseByte(offset, "the Draco stream has another type of " + array.name, "that of the tables");
+    array.components = components;
     array.type = *type;
     tables.decoded.push_back(valuesOf(*attribute, tables.points, array, offset, job));
     array.data = tables.decoded.back().data();

@@ -144,6 +144,8 @@ TEST(SequenceFolder, OfAnyReadableFormatTakesLinesOfQuaternions) {
     ASSERT_TRUE(writeTextFile(folder / "poses.txt", lines));
     // Neither the poses nor what lies beside the clouds is one.
     ASSERT_TRUE(writeTextFile(folder / "remarks.txt", "taken in the rain\n"));
+    for (const char* name : {"a.json", "b.json", "c.json", "d.json"})
+        ASSERT_TRUE(writeTextFile(folder / name, R"({"pose":[1,0,0,0]})"));
     const auto sequence = readSequence(folder.path(), folder / "poses.txt");
     ASSERT_TRUE(sequence) << sequence.error().sentence();
     ASSERT_EQ(sequence->clouds.size(), 3U);
