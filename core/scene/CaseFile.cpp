@@ -35,13 +35,13 @@ void checkSize(const std::string& text, const std::string& file) {
 /// itself.
 class KeyWatch {
   public:
+    using Event = nlohmann::json::parse_event_t;
     explicit KeyWatch(const std::string& file) : file_(file) {}
 
-    bool operator()(int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-        using enum nlohmann::json::parse_event_t;
-        if (event == object_start) seen_.emplace_back();
-        if (event == object_end) seen_.pop_back();
-        if (event == key && !seen_.back().insert(parsed.get<std::string>()).second)
+    bool operator()(int, Event event, nlohmann::json& parsed) {
+        if (event == Event::object_start) seen_.emplace_back();
+        if (event == Event::object_end) seen_.pop_back();
+        if (event == Event::key && !seen_.back().insert(parsed.get<std::string>()).second)
             throw ErrorException{
                 {ErrorCode::input,
                  "the key \"" + cleanText(parsed.get<std::string>()) + "\" stands twice in one object", file_,
