@@ -7,10 +7,13 @@
 
 #include "core/base/Hash.h"
 #include "core/io/ApplyReadOptions.h"
+#include "core/io/formats/EinscanMarkers.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
 #include "core/io/formats/PlyFormat.h"
+#include "core/io/formats/PtxFormat.h"
+#include "core/io/formats/SbetFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
 #include "core/io/formats/VtkFormat.h"
@@ -29,7 +32,7 @@ std::string extensionOf(const std::filesystem::path& file) {
 std::string listed(bool writable) {
     std::set<std::string> extensions;
     for (const auto& format : fileFormats())
-        if (!writable || format->canWrite())
+        if (writable ? format->canWrite() : format->canRead())
             for (const std::string& extension : format->extensions()) extensions.insert(extension);
     std::string text;
     for (const std::string& extension : extensions) text += (text.empty() ? "" : ", ") + extension;
@@ -72,7 +75,10 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<VtkFormat>());
         all.push_back(std::make_unique<StlFormat>());
         all.push_back(std::make_unique<ObjFormat>());
+        all.push_back(std::make_unique<PtxFormat>());
+        all.push_back(std::make_unique<SbetFormat>());
         all.push_back(std::make_unique<TextFormat>());
+        all.push_back(std::make_unique<EinscanMarkers>());
         return all;
     }();
     return formats;

@@ -19,6 +19,7 @@ PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& jo
     TextScanner scanner(text, layout.bodyOffset, layout.bodyLine);
     std::vector<double> row(layout.fields.size());
     std::size_t longRows = 0;
+    std::optional<std::size_t> promised = layout.promised;
     while (!scanner.atEnd()) {
         const std::size_t line = scanner.line();
         if ((line & 0xffff) == 0) job.report(scanner.offset(), text.size());
@@ -29,6 +30,12 @@ PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& jo
         if (bad > 0 && bad <= row.size())
             job.refuseLine(line, "value " + std::to_string(bad) + " is missing or no number",
                            counted(row.size(), "number") + " (" + layout.description + ")");
+        // PTS: the count of the next block of points.
+        if (cells == 1 && bad == 0 && promised == sink.size() && row[0] >= 0 && row[0] < 1e15 &&
+            row[0] == std::floor(row[0])) {
+            *promised += static_cast<std::size_t>(row[0]);
+            continue;
+        }
         if (cells < row.size())
             job.refuseLine(line, "the row has " + counted(cells, "value"),
                            counted(row.size(), "number") + " (" + layout.description + ")");
@@ -38,12 +45,11 @@ PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& jo
     }
     if (longRows > 0)
         job.warn(counted(longRows, "row") + " with more values than columns, the rest not kept");
-    if (layout.promised && *layout.promised > sink.size())
+    if (promised && *promised > sink.size())
         job.refuseLine(scanner.line(), "the file ends after " + counted(sink.size(), "point"),
-                       std::to_string(*layout.promised) + " points as its first line says");
-    if (layout.promised && *layout.promised < sink.size())
-        job.warn("more points than the " + std::to_string(*layout.promised) +
-                 " that the first line promises");
+                       std::to_string(*promised) + " points as its counts say");
+    if (promised && *promised < sink.size())
+        job.warn("more points than the " + std::to_string(*promised) + " that the first line promises");
     return std::move(sink).build();
 }
 
