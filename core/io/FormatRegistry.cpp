@@ -7,6 +7,7 @@
 
 #include "core/base/Hash.h"
 #include "core/io/ApplyReadOptions.h"
+#include "core/io/CrsUnits.h"
 #include "core/io/formats/EinscanMarkers.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
@@ -119,6 +120,7 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     if (!format) return fail(format.error());
     Result<FileInfo> info = (*format)->info(file, control.sub(0, 0.7));
     if (!info) return info;
+    tellUnits(*info);
     Result<std::string> hash = sha256OfFile(file, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
     info->sha256 = std::move(*hash);
@@ -128,7 +130,9 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
 Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    return (*format)->peek(file, control);
+    Result<FileInfo> info = (*format)->peek(file, control);
+    if (info) tellUnits(*info);
+    return info;
 }
 
 Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const ReadOptions& options,
@@ -138,6 +142,7 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
     Result<LoadedGeometry> geometry = (*format)->read(file, options, control);
     if (!geometry) return geometry;
     applyReadOptions(options, *geometry);
+    tellUnits(geometry->info);
     if (const Status finite = checkFinite(file, geometry->geometry.vertices); !finite)
         return fail(finite.error());
     control.progress(1, "reading");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/HiddenName.h"
 #include "tests/support/TestPaths.h"
 
 using namespace vestige;
@@ -78,4 +79,22 @@ TEST(AtomicFile, KnowsTheSamePlaceByOtherNames) {
     EXPECT_TRUE(samePlace("a.csv", "./x/../a.csv"));
     EXPECT_FALSE(samePlace("a.csv", "b.csv"));
     EXPECT_FALSE(samePlace("", ""));
+}
+
+TEST(HiddenName, FitsBesideTheLongestNamesAndTellsThemApart) {
+    EXPECT_EQ(hiddenNameOf("/a/cloud.las").stem, ".cloud");
+    EXPECT_EQ(hiddenNameOf("/a/cloud.las").extension, ".las");
+    std::string umlauts;
+    for (int i = 0; i < 125; ++i) umlauts += "\xc3\xa4";
+    for (const std::string& name : {std::string(251, 'x') + ".las", umlauts + ".las", std::string(255, 'x'),
+                                    "a." + std::string(253, 'x')}) {
+        const HiddenName hidden = hiddenNameOf("/a/" + name);
+        EXPECT_LE(hidden.stem.size() + hidden.extension.size() + 64, 255) << name;
+        EXPECT_TRUE(hidden.stem.starts_with("."));
+        const HiddenName other = hiddenNameOf("/a/" + name.substr(0, 240) + "other.las");
+        EXPECT_NE(hidden.stem, other.stem) << name;
+    }
+    // No character is cut in two.
+    const std::string stem = hiddenNameOf("/a/" + umlauts + ".las").stem;
+    EXPECT_EQ(stem[stem.rfind('-') - 1], '\xa4');
 }
