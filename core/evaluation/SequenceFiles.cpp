@@ -28,7 +28,7 @@ std::string extensionOf(const fs::path& file) {
 bool isReadable(const std::string& extension) {
     for (const auto& format : fileFormats())
         for (const std::string& one : format->extensions())
-            if (one == extension) return true;
+            if (one == extension) return format->canRead();
     return false;
 }
 
