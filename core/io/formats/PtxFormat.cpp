@@ -9,6 +9,7 @@
 #include "core/geometry/PointCloudBuilder.h"
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
+#include "core/io/Salvage.h"
 #include "core/io/formats/PtxHeader.h"
 #include "core/io/formats/TextLayout.h"
 
@@ -37,8 +38,7 @@ class PtxReader {
             while (!atEnd()) readScan();
         } catch (const ErrorException& thrown) {
             if (!salvage_ || thrown.error.code != ErrorCode::input || builder_.size() == 0) throw;
-            damage_ = "The file is broken at line " + std::to_string(line_) + " (" + thrown.error.message +
-                      "); the " + counted(builder_.size(), "point") + " before it were read.";
+            damage_ = damageSentence(job_, thrown.error, builder_.size());
         }
         if (scans_.empty()) job_.refuseLine(scanner_.line(), "the file has no scan", "a PTX header");
         if (missing_ > 0) job_.warn(counted(missing_, "point") + " without a return left out");

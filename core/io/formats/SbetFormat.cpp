@@ -8,6 +8,7 @@
 #include "core/geometry/PointCloudBuilder.h"
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
+#include "core/io/Salvage.h"
 #include "core/io/formats/SbetRecord.h"
 #include "core/io/formats/UtmFrame.h"
 
@@ -75,9 +76,7 @@ class SbetReader {
             for (std::size_t i = 0; i < records; ++i) add(i, records, frame);
         } catch (const ErrorException& thrown) {
             if (!salvage_ || thrown.error.code != ErrorCode::input || builder_.size() == 0) throw;
-            damage_ = "Record " + std::to_string(builder_.size() + 1) + " of " + std::to_string(records) +
-                      " is broken (" + thrown.error.message + "); the " + counted(builder_.size(), "record") +
-                      " before it were read.";
+            damage_ = damageSentence(job_, thrown.error, builder_.size());
         }
         return finish(frame);
     }

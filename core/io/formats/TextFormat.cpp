@@ -7,6 +7,7 @@
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
 #include "core/io/PointSink.h"
+#include "core/io/Salvage.h"
 #include "core/io/TextScanner.h"
 #include "core/io/WriteJob.h"
 #include "core/io/formats/TextLayout.h"
@@ -14,8 +15,7 @@
 namespace vestige {
 namespace {
 
-PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& job) {
-    PointSink sink(layout.fields, ColorDepth::guess);
+void readRows(std::string_view text, const TextLayout& layout, PointSink& sink, ReadJob& job) {
     TextScanner scanner(text, layout.bodyOffset, layout.bodyLine);
     std::vector<double> row(layout.fields.size());
     std::size_t longRows = 0;
@@ -50,7 +50,6 @@ PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& jo
                        std::to_string(*promised) + " points as its counts say");
     if (promised && *promised < sink.size())
         job.warn("more points than the " + std::to_string(*promised) + " that the first line promises");
-    return std::move(sink).build();
 }
 
 /// Fine enough for a tenth of the 0.1 mm that may be lost, and for small objects in large units; coarse
@@ -88,7 +87,7 @@ bool TextFormat::recognises(std::span<const std::byte>, std::string_view) const 
     return false;  // any text could be points; the extension says so
 }
 
-Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const ReadOptions& options,
                                         const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
@@ -97,8 +96,17 @@ Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const
         std::string_view text = content->text();
         if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
         const TextLayout layout = recogniseLayout(text, job);
-        PointCloud cloud = readRows(text, layout, job);
-        return loaded({std::move(cloud), {}}, "text", layout.description, job);
+        PointSink sink(layout.fields, ColorDepth::guess);
+        std::string damage;
+        try {
+            readRows(text, layout, sink, job);
+        } catch (const ErrorException& thrown) {
+            if (!options.salvage || thrown.error.code != ErrorCode::input || sink.size() == 0) throw;
+            damage = damageSentence(job, thrown.error, sink.size());
+        }
+        LoadedGeometry result = loaded({std::move(sink).build(), {}}, "text", layout.description, job);
+        result.info.damage = std::move(damage);
+        return result;
     });
 }
 

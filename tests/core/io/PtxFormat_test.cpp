@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <tuple>
 
 #include "core/base/Numbers.h"
 #include "tests/core/io/Clouds.h"
@@ -180,6 +180,25 @@ TEST(TextFormat, ReadsTheSharedPtsFilesAsTheyAre) {
     EXPECT_LT((cloud.point(0) - Eigen::Vector3d(636110.300003, 849345.050003, 512.139999)).norm(), 1e-6);
     EXPECT_EQ(cloud.attributes().intensity[0], -1613);
     EXPECT_EQ(cloud.attributes().color[0], (Color{52 * 257, 70 * 257, 64 * 257}));
+}
+
+TEST(TextFormat, SalvagesTheRowsBeforeTheDamage) {
+    const TemporaryFolder folder;
+    ReadOptions salvage;
+    salvage.salvage = true;
+    const std::tuple<const char*, const char*, const char*> kFiles[] = {
+        {"a.xyz", "1 2 3\n4 5 6\n7 8", "line 3"}, {"a.pts", "9\n1 2 3\n4 5 6\n", "line 4"}};
+    for (const auto& [name, content, place] : kFiles) {
+        writeBytes(folder / name, content);
+        EXPECT_FALSE(readGeometry(folder / name));
+        const Result<LoadedGeometry> loose = readGeometry(folder / name, salvage);
+        ASSERT_TRUE(loose);
+        EXPECT_EQ(loose->geometry.vertices.size(), 2);
+        EXPECT_NE(loose->info.damage.find(place), std::string::npos) << loose->info.damage;
+        EXPECT_NE(loose->info.damage.find("the 2 points before that were read"), std::string::npos);
+    }
+    writeBytes(folder / "b.xyz", "1 2 x\n4 5 6\n");
+    EXPECT_FALSE(readGeometry(folder / "b.xyz", salvage)) << "there is nothing before it";
 }
 
 TEST(TextFormat, ReadsPtsFilesOfSeveralBlocks) {
