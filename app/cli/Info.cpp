@@ -2,8 +2,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/InfoText.h"
 #include "app/cli/Session.h"
-#include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
 
 namespace vestige::cli {
@@ -11,77 +11,21 @@ namespace {
 
 using nlohmann::json;
 
-json triple(const Eigen::Vector3d& values) {
-    return json::array({values.x(), values.y(), values.z()});
-}
+struct Options {
+    std::vector<std::string> paths;
+    bool quick = false;
+};
 
-json optionalTriple(const std::optional<Eigen::Vector3d>& values) {
-    return values ? triple(*values) : json();
-}
-
-json toJson(const FileInfo& info) {
-    json object{
-        {"path", info.path.string()},
-        {"format", info.format},
-        {"version", info.version},
-        {"points", info.points},
-        {"triangles", info.triangles},
-        {"bounds", info.bounds.empty()
-                       ? json()
-                       : json{{"min", triple(info.bounds.min)}, {"max", triple(info.bounds.max)}}},
-        {"sha256", info.sha256},
-        {"scale", optionalTriple(info.scale)},
-        {"offset", optionalTriple(info.offset)},
-        {"crs", info.crs.empty() ? json() : json(info.crs)},
-        {"attributes", info.attributes},
-        {"time_span", info.timeSpan ? json::array({info.timeSpan->first, info.timeSpan->second}) : json()},
-        {"warnings", info.warnings}};
-    if (info.creationDayYear) {
-        object["creation_day"] = info.creationDayYear->first;
-        object["creation_year"] = info.creationDayYear->second;
-    }
-    if (!info.generatingSoftware.empty()) object["generating_software"] = info.generatingSoftware;
-    return object;
-}
-
-std::string text(const Eigen::Vector3d& values) {
-    return exactText(values.x()) + " " + exactText(values.y()) + " " + exactText(values.z());
-}
-
-void print(const Session& session, const FileInfo& info) {
-    const auto line = [&](const std::string& label, const std::string& value) {
-        if (!value.empty()) session.print("  " + label + std::string(12 - label.size(), ' ') + value);
-    };
-    session.print(info.path.string());
-    line("format", info.format + (info.version.empty() ? "" : " " + info.version));
-    line("points", std::to_string(info.points));
-    if (info.triangles > 0) line("triangles", std::to_string(info.triangles));
-    if (!info.bounds.empty()) {
-        line("minimum", text(info.bounds.min));
-        line("maximum", text(info.bounds.max));
-    }
-    if (info.scale) line("scale", text(*info.scale));
-    if (info.offset) line("offset", text(*info.offset));
-    line("CRS", info.crs);
-    std::string attributes;
-    for (const std::string& name : info.attributes) attributes += (attributes.empty() ? "" : ", ") + name;
-    line("attributes", attributes);
-    if (info.timeSpan)
-        line("time span", exactText(info.timeSpan->first) + " " + exactText(info.timeSpan->second));
-    line("written by", info.generatingSoftware);
-    line("SHA-256", info.sha256);
-    for (const std::string& warning : info.warnings) line("warning", warning);
-}
-
-int runInfo(Session& session, const std::vector<std::string>& paths) {
+int runInfo(Session& session, const Options& options) {
     json files = json::array();
     json failed = json::array();
     int code = 0;
-    for (const std::string& path : paths) {
-        const Result<FileInfo> info = fileInfo(path, session.control());
+    for (const std::string& path : options.paths) {
+        const Result<FileInfo> info =
+            options.quick ? peekFile(path, session.control()) : fileInfo(path, session.control());
         if (info) {
-            print(session, *info);
-            files.push_back(toJson(*info));
+            printInfo(session, *info);
+            files.push_back(infoJson(*info));
             continue;
         }
         code = session.failed(info.error());
@@ -97,9 +41,12 @@ int runInfo(Session& session, const std::vector<std::string>& paths) {
 }  // namespace
 
 Run declareInfo(CLI::App& command) {
-    auto paths = std::make_shared<std::vector<std::string>>();
-    command.add_option("FILE", *paths, "Clouds and meshes")->required();
-    return [paths](Session& session) { return runInfo(session, *paths); };
+    auto options = std::make_shared<Options>();
+    command.add_option("FILE", options->paths, "Clouds and meshes")->required();
+    command.add_flag("--quick", options->quick,
+                     "Only what the head of a file says, at once: no points are read and checked, and there "
+                     "is no SHA-256; a format that cannot tell gives 0 points.");
+    return [options](Session& session) { return runInfo(session, *options); };
 }
 
 }  // namespace vestige::cli

@@ -18,7 +18,7 @@ struct Options {
     std::string in;
     std::string out;
     ReadOptions reading;
-    std::string unit = "m";
+    std::string unit = "auto";
     ParameterSet parameters{preprocessParameters()};
 };
 
@@ -37,7 +37,10 @@ int runPreprocess(Session& session, const Options& options) {
         session.log(options.in +
                     " is a mesh: its vertices are filtered as points, its triangles are left out");
 
-    const double metresPerUnit = metresPer(*lengthUnitFromSymbol(options.unit));
+    const auto given = lengthUnitFromSymbol(options.unit);
+    const double metresPerUnit = given ? metresPer(*given) : loaded->info.metresPerUnit.value_or(1);
+    const std::string unit(symbol(given ? *given : nearestLengthUnit(metresPerUnit)));
+    if (!given && metresPerUnit != 1) session.log(options.in + " is in " + unit + ", as it says");
     const ParameterSet chosen = withChosenRadius(cloud, options.parameters, metresPerUnit, control);
     auto result = preprocess(cloud, chosen, metresPerUnit, control.sub(0.3, 0.8));
     if (!result) return session.failed(result.error());
@@ -53,7 +56,7 @@ int runPreprocess(Session& session, const Options& options) {
     session.printJson({{"path", options.out},
                        {"input_points", cloud.size()},
                        {"output_points", outputPoints},
-                       {"unit", options.unit},
+                       {"unit", unit},
                        {"parameters", parametersJson(chosen)},
                        {"seconds", elapsed.count()},
                        {"warnings", loaded->info.warnings}});
@@ -67,10 +70,14 @@ Run declarePreprocess(CLI::App& command) {
     command.add_option("IN", options->in, "Cloud to read; of a mesh, its vertices are taken")->required();
     command.add_option("OUT", options->out, "File to write; its extension names the format")->required();
     command
-        .add_option(
-            "--unit", options->unit,
-            "Unit of the coordinates in IN and OUT, m or mm; all other lengths are metres. Default: m.")
-        ->check(CLI::IsMember({"m", "mm"}));
+        .add_option("--unit", options->unit,
+                    "Unit of the coordinates in IN and OUT: " + lengthUnitSymbols() +
+                        " or auto (what IN says, else m); all other lengths are metres. Default: auto.")
+        ->check([](const std::string& text) {
+            return text == "auto" || lengthUnitFromSymbol(text)
+                       ? std::string()
+                       : "expected " + lengthUnitSymbols() + " or auto";
+        });
     addSalvageOption(command, options->reading.salvage);
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runPreprocess(session, *options); };

@@ -33,7 +33,7 @@ json layersJson(const SceneState& scene) {
                         {"role", std::string(name(layer.role))},
                         {"method", layer.method},
                         {"path", layer.path.string()},
-                        {"unit", std::string(symbol(layer.unit.value_or(LengthUnit::metre)))},
+                        {"unit", std::string(symbol(layer.lengthUnit()))},
                         {"points", layer.data->points->size()},
                         {"triangles", layer.data->geometry->triangles.size()},
                         {"sha256", layer.data->sha256},

@@ -35,22 +35,28 @@ struct Start {
     std::optional<FirstPose> found;  ///< by the search
 };
 
-/// The unit that --unit names, else the one that the clouds (and pairs) speak for.
-double scaleOf(const Options& options, const TriangleMesh& target, const TriangleMesh& source,
+std::optional<LengthUnit> unitOf(const FileInfo& info) {
+    return info.metresPerUnit ? lengthUnitOf(*info.metresPerUnit) : std::nullopt;
+}
+
+/// The unit that --unit names, else the one that pairs, the file or the clouds speak for.
+double scaleOf(const Options& options, const TriangleMesh& target, const LoadedGeometry& source,
                std::span<const PointPair> pairs, std::vector<std::string>& notes) {
     if (const auto unit = lengthUnitFromSymbol(options.unit)) return metresPer(*unit);
-    const UnitGuess guess = guessUnit(target, source, pairs);
+    const UnitGuess guess = guessUnit(target, source.geometry, pairs, unitOf(source.info));
     if (guess.unit != LengthUnit::metre || !guess.certain)
         notes.push_back(guess.reason + (guess.certain ? "" : " (not certain: say --unit m or --unit mm)"));
     return metresPer(guess.unit);
 }
 
-Result<Start> startFrom(const Options& options, const TriangleMesh& target, const TriangleMesh& source,
-                        const JobControl& control) {
+/// `target` in metres; picked pairs have its points in its file's unit, `metresPerTarget` of it.
+Result<Start> startFrom(const Options& options, const TriangleMesh& target, double metresPerTarget,
+                        const LoadedGeometry& source, const JobControl& control) {
     Start start;
     if (options.init == "auto") {
-        Result<FirstPose> found =
-            findFirstPose(target, source, lengthUnitFromSymbol(options.unit), options.parameters, control);
+        const auto given = lengthUnitFromSymbol(options.unit);
+        Result<FirstPose> found = findFirstPose(target, source.geometry, given ? given : unitOf(source.info),
+                                                options.parameters, control);
         if (!found) return fail(found.error());
         start.pose = found->targetFromSource;
         start.error_m = found->error_m;
@@ -68,8 +74,9 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, cons
         if (const auto unit = lengthUnitFromSymbol(options.unit)) start.pose.scale = metresPer(*unit);
         return start;
     }
-    const Result<std::vector<PointPair>> pairs = readPointPairs(options.init);
+    Result<std::vector<PointPair>> pairs = readPointPairs(options.init);
     if (!pairs) return fail(pairs.error());
+    for (PointPair& pair : *pairs) pair.target *= metresPerTarget;
     const double scale = scaleOf(options, target, source, *pairs, start.notes);
     const Result<PairAlignment> alignment = alignPairs(*pairs, scale);
     if (!alignment) {
@@ -87,16 +94,26 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, cons
 }
 
 /// All outputs or none.
-Status writeOutputs(const Options& options, const LoadedGeometry& source, const Similarity& pose,
-                    const JobControl& control) {
+Status writeOutputs(const Options& options, const FileInfo& target, const LoadedGeometry& source,
+                    const Similarity& pose, const JobControl& control) {
     AtomicFile poseFile(options.poseOut);
     if (const Status opened = poseFile.open(); !opened) return opened;
     poseFile.write(poseFileText(pose));
     if (options.aligned.empty()) return poseFile.commit();
     AtomicFile aligned(options.aligned);
     if (const Status opened = aligned.open(); !opened) return opened;
+    // The points are in the target's frame now, in metres.
+    FileInfo info = source.info;
+    const bool metric = target.metresPerUnit.value_or(1) == 1;
+    info.crs = metric ? target.crs : std::string();
+    info.crsRecords = metric ? target.crsRecords : std::vector<CrsRecord>();
+    info.metresPerUnit = 1;
+    if (info.scale && pose.scale != 1) {
+        *info.scale *= pose.scale;
+        info.offset.reset();
+    }
     Status written =
-        writeGeometry(aligned.temporaryPath(), source.geometry.transformed(pose), {&source.info}, control);
+        writeGeometry(aligned.temporaryPath(), source.geometry.transformed(pose), {&info}, control);
     if (!written && written.error().place == aligned.temporaryPath()) written.error().place = options.aligned;
     if (!written) return written;
     return AtomicFile::commit({&poseFile, &aligned});
@@ -130,15 +147,22 @@ int runRegister(Session& session, const Options& options) {
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> target = readGeometry(options.target, options.reading, control.sub(0, 0.2));
+    Result<LoadedGeometry> target = readGeometry(options.target, options.reading, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
+    const double metresPerTarget = target->info.metresPerUnit.value_or(1);
+    if (metresPerTarget != 1) {
+        target->geometry = target->geometry.transformed({Pose::Identity(), metresPerTarget});
+        session.log(options.target + " has " + exactText(metresPerTarget) +
+                    " m a unit, as it says; the pose leads into its frame in metres");
+    }
     const Result<LoadedGeometry> source =
         readGeometry(options.source, options.reading, control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
     for (const auto* loaded : {&*target, &*source})
         if (!loaded->info.damage.empty())
             session.log("warning: " + loaded->info.path.string() + ": " + loaded->info.damage);
-    const Result<Start> start = startFrom(options, target->geometry, source->geometry, control.sub(0.4, 0.6));
+    const Result<Start> start =
+        startFrom(options, target->geometry, metresPerTarget, *source, control.sub(0.4, 0.6));
     if (!start) return failed(session, options, start.error(), {});
     ParameterSet parameters = options.parameters;
     if (start->error_m && parameters.isDefault("start_error_m"))
@@ -158,7 +182,8 @@ int runRegister(Session& session, const Options& options) {
                     "first pose (--init)"};
         return session.failed(error);
     }
-    const Status written = writeOutputs(options, *source, result->targetFromSource, control.sub(0.95, 1));
+    const Status written =
+        writeOutputs(options, target->info, *source, result->targetFromSource, control.sub(0.95, 1));
     if (!written) return session.failed(written.error());
     control.progress(1, "registration");
     report(session, options, *result);
@@ -170,16 +195,23 @@ int runRegister(Session& session, const Options& options) {
 
 Run declareRegister(CLI::App& command) {
     auto options = std::make_shared<Options>();
-    command.add_option("TARGET", options->target, "Cloud or mesh that stays, in metres")->required();
+    command
+        .add_option("TARGET", options->target,
+                    "Cloud or mesh that stays, in metres unless it says another unit")
+        ->required();
     command.add_option("SOURCE", options->source, "Cloud or mesh that is laid on the target")->required();
     command.add_option("--pose-out", options->poseOut, "JSON file for the pose that maps SOURCE into TARGET")
         ->required();
     command.add_option("--init", options->init,
                        "First pose: identity, auto (searched), a pose file (.json) or picked pairs (.csv). "
                        "Default: identity.");
-    command.add_option("--unit", options->unit, "Unit of SOURCE: m, mm or auto. Default: auto.")
+    command
+        .add_option("--unit", options->unit,
+                    "Unit of SOURCE: " + lengthUnitSymbols() + " or auto. Default: auto.")
         ->check([](const std::string& text) {
-            return text == "auto" || lengthUnitFromSymbol(text) ? std::string() : "expected m, mm or auto";
+            return text == "auto" || lengthUnitFromSymbol(text)
+                       ? std::string()
+                       : "expected " + lengthUnitSymbols() + " or auto";
         });
     command.add_option("--aligned", options->aligned, "File for the source's points in the target's frame");
     addSalvageOption(command, options->reading.salvage);

@@ -75,8 +75,7 @@ Status registerWhatLacks(SceneState& scene, bool must, const Session& session, c
         }
         Layer& layer = *scene.layer(one.id);
         for (const std::string& note : one.result->notes) session.log(layer.id + ": " + note);
-        if (!layer.unit)
-            layer.unit = one.result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
+        if (!layer.unit) layer.unit = nearestLengthUnit(one.result->targetFromSource.scale);
         setRegistration(one.id, std::move(*one.result))->apply(scene);
     }
     return {};

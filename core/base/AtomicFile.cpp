@@ -8,14 +8,15 @@
 #include <utility>
 
 #include "core/base/FileReplacements.h"
+#include "core/base/HiddenName.h"
 
 namespace vestige {
 namespace {
 
 /// A hidden name of this process's own in the folder of `place`, with its extension.
 std::filesystem::path beside(const std::filesystem::path& place, const char* what) {
-    return place.parent_path() /
-           ("." + place.stem().string() + what + std::to_string(::getpid()) + place.extension().string());
+    const HiddenName name = hiddenNameOf(place);
+    return place.parent_path() / (name.stem + what + std::to_string(::getpid()) + name.extension);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/FileReplacements.h"
+#include "core/base/HiddenName.h"
 
 namespace vestige {
 namespace {
@@ -16,8 +17,8 @@ namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path place) : place_(fs::absolute(std::move(place)).lexically_normal()) {
     if (!place_.has_filename()) place_ = place_.parent_path();
-    temporary_ =
-        place_.parent_path() / ("." + place_.filename().string() + ".part-" + std::to_string(::getpid()));
+    const HiddenName name = hiddenNameOf(place_);
+    temporary_ = place_.parent_path() / (name.stem + name.extension + ".part-" + std::to_string(::getpid()));
 }
 
 OutputFolder::~OutputFolder() {

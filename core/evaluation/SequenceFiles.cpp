@@ -32,7 +32,7 @@ bool isReadable(const fs::path& file) {
     if (extension == "json" && !looksLikeTileset(file)) return false;
     for (const auto& format : fileFormats())
         for (const std::string& one : format->extensions())
-            if (one == extension) return true;
+            if (one == extension) return format->canRead();
     return false;
 }
 

@@ -38,6 +38,8 @@ class FileFormat {
     virtual std::string_view id() const = 0;                  ///< "las"
     virtual std::string_view title() const = 0;               ///< "LAS point cloud", for open dialogs
     virtual std::vector<std::string> extensions() const = 0;  ///< lower case, without dot
+    /// False for formats that are only recognised, to say what to do instead; open dialogs leave them out.
+    virtual bool canRead() const { return true; }
     virtual bool canWrite() const { return false; }
     /// True when the first bytes (up to 4096) are of this format; text formats may go by the extension.
     virtual bool recognises(std::span<const std::byte> head, std::string_view extension) const = 0;

@@ -11,12 +11,16 @@
 #include "core/io/Coordinates.h"
 #include "core/io/formats/E57Format.h"
 #include "core/io/formats/GltfFormat.h"
+#include "core/io/CrsUnits.h"
+#include "core/io/formats/EinscanMarkers.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
 #include "core/io/formats/PlyFormat.h"
 #include "core/io/formats/PntsFormat.h"
 #include "core/io/formats/S3mbFormat.h"
+#include "core/io/formats/PtxFormat.h"
+#include "core/io/formats/SbetFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
 #include "core/io/formats/TilesetFormat.h"
@@ -37,7 +41,7 @@ std::string extensionOf(const std::filesystem::path& file) {
 std::string listed(bool writable) {
     std::set<std::string> extensions;
     for (const auto& format : fileFormats())
-        if (!writable || format->canWrite())
+        if (writable ? format->canWrite() : format->canRead())
             for (const std::string& extension : format->extensions()) extensions.insert(extension);
     std::string text;
     for (const std::string& extension : extensions) text += (text.empty() ? "" : ", ") + extension;
@@ -102,7 +106,10 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<ObjFormat>());
         all.push_back(std::make_unique<GltfFormat>());
         all.push_back(std::make_unique<ThreeMfFormat>());
+        all.push_back(std::make_unique<PtxFormat>());
+        all.push_back(std::make_unique<SbetFormat>());
         all.push_back(std::make_unique<TextFormat>());
+        all.push_back(std::make_unique<EinscanMarkers>());
         return all;
     }();
     return formats;
@@ -144,6 +151,7 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     Result<FileInfo> info = (*format)->info(file, control.sub(0, 0.7));
     if (!info) return info;
     if (const Status usable = checkBounds(file, *info); !usable) return fail(usable.error());
+    tellUnits(*info);
     Result<std::string> hash = sha256OfFile(file, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
     info->sha256 = std::move(*hash);
@@ -153,7 +161,9 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
 Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    return (*format)->peek(file, control);
+    Result<FileInfo> info = (*format)->peek(file, control);
+    if (info) tellUnits(*info);
+    return info;
 }
 
 Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const ReadOptions& options,
@@ -168,6 +178,9 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
         geometry->info.warnings.insert(geometry->info.warnings.begin(), geometry->info.damage);
     if (const Status usable = checkCoordinates(file, geometry->geometry.vertices); !usable)
         return fail(usable.error());
+    tellUnits(geometry->info);
+    if (const Status finite = checkFinite(file, geometry->geometry.vertices); !finite)
+        return fail(finite.error());
     control.progress(1, "reading");
     return geometry;
 }

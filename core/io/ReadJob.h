@@ -39,6 +39,7 @@ class ReadJob {
     /// the points is whole, a salvaging job keeps the refusal as `damage()` and returns; another one adds to
     /// the refusal what could be salvaged.
     void untilDamage(const std::function<void()>& work, const std::function<WholePart()>& whole);
+    bool salvages() const { return salvage_; }
     /// A sentence for FileInfo::damage; empty of a file that is whole.
     const std::string& damage() const { return damage_; }
 

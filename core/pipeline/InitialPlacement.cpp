@@ -27,7 +27,7 @@ struct UnitChoice {
 
 /// The unit the case gives, else the recognised one; a recognised unit that disagrees is told.
 UnitChoice chooseUnit(const Layer& layer, const Layer& target, std::span<const PointPair> pairs) {
-    const UnitGuess guess = guessUnit(*target.data->geometry, *layer.data->geometry, pairs);
+    const UnitGuess guess = guessUnit(*target.data->geometry, *layer.data->geometry, pairs, layer.fileUnit());
     if (!layer.unit)
         return {guess.unit, {"unit recognised as " + std::string(symbol(guess.unit)) + ": " + guess.reason}};
     if (guess.certain && guess.unit != *layer.unit)
@@ -61,11 +61,12 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
 Result<InitialPlacement> fromSearch(const SceneState& scene, const Layer& layer, const Layer& target,
                                     const JobControl& control) {
     const Similarity metresFromTarget{Pose::Identity(), target.metresPerUnit()};
-    auto found = metresFromTarget.isIdentity()
-                     ? findFirstPose(*target.data->geometry, *layer.data->geometry, layer.unit,
-                                     scene.registration, control)
-                     : findFirstPose(target.data->geometry->transformed(metresFromTarget),
-                                     *layer.data->geometry, layer.unit, scene.registration, control);
+    const std::optional<LengthUnit> unit = layer.unit ? layer.unit : layer.fileUnit();
+    auto found =
+        metresFromTarget.isIdentity()
+            ? findFirstPose(*target.data->geometry, *layer.data->geometry, unit, scene.registration, control)
+            : findFirstPose(target.data->geometry->transformed(metresFromTarget), *layer.data->geometry, unit,
+                            scene.registration, control);
     if (!found) return fail(found.error());
     InitialPlacement placement{found->targetFromSource, kPickReach_m, found->error_m, {}, {}};
     placement.found = std::move(*found);

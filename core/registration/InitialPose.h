@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,8 +48,10 @@ struct UnitGuess {
     bool certain = false;
     std::string reason;
 };
-/// From the pairs' distance ratio where there are pairs (certain), else from the extent and the point spacing
-/// of the source against the target: a scan of over 5 times the target's plausible size is in millimetres.
-UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs);
+/// From the pairs' distance ratio where there are pairs (certain), else what the source's file says of it,
+/// else from the extent and the point spacing of the source against the target: a scan of over 5 times the
+/// target's plausible size is in millimetres. Pairs that fit no unit well leave the word to the file.
+UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs,
+                    std::optional<LengthUnit> ofFile = std::nullopt);
 
 }  // namespace vestige

@@ -19,14 +19,16 @@ double length(std::span<const PointPair> pairs, Eigen::Vector3d PointPair::*side
 UnitGuess guessFromPairs(std::span<const PointPair> pairs) {
     const double source = length(pairs, &PointPair::source);
     const double ratio = source > 0 ? length(pairs, &PointPair::target) / source : 1;
-    const bool millimetres = ratio < std::sqrt(0.001);
-    const double expected = millimetres ? 0.001 : 1;
     UnitGuess guess;
-    guess.unit = millimetres ? LengthUnit::millimetre : LengthUnit::metre;
+    guess.unit = ratio < std::sqrt(0.001) ? LengthUnit::millimetre : LengthUnit::metre;
+    // Units that are rarer must be met more closely; the two feet look the same here.
+    for (const LengthUnit rare : {LengthUnit::foot, LengthUnit::inch, LengthUnit::centimetre})
+        if (ratio > 0.9 * metresPer(rare) && ratio < metresPer(rare) / 0.9) guess.unit = rare;
+    const double expected = metresPer(guess.unit);
     guess.certain = ratio > 0.8 * expected && ratio < 1.25 * expected;
-    guess.reason = "The picked points are " + fixedText(ratio, millimetres ? 6 : 3) +
+    guess.reason = "The picked points are " + fixedText(ratio, ratio < 0.1 ? 6 : 3) +
                    " times as far apart in the target as in the source, so the source is in " +
-                   (millimetres ? "millimetres" : "metres") +
+                   std::string(nameOf(guess.unit)) +
                    (guess.certain ? "" : "; the ratio fits no unit well, check the pairs");
     return guess;
 }
@@ -51,9 +53,19 @@ Size sizeOf(const TriangleMesh& geometry) {
 
 }  // namespace
 
-UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source,
-                    std::span<const PointPair> pairs) {
-    if (pairs.size() >= 2) return guessFromPairs(pairs);
+UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs,
+                    std::optional<LengthUnit> ofFile) {
+    if (pairs.size() >= 2) {
+        UnitGuess guess = guessFromPairs(pairs);
+        if (!ofFile) return guess;
+        const double apart = metresPer(*ofFile) / metresPer(guess.unit);
+        if (guess.certain && (apart < 0.8 || apart > 1.25)) {
+            guess.reason += ", although its file says " + std::string(nameOf(*ofFile));
+            return guess;
+        }
+    }
+    if (ofFile)
+        return {*ofFile, true, "The file of the source says that it is in " + std::string(nameOf(*ofFile))};
     // A scan that is registered to a scene shows a part of it: as metres it must not be far larger than the
     // scene, nor both as large and ten times coarser.
     const Size scene = sizeOf(target);

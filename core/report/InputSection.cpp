@@ -27,7 +27,7 @@ Section inputSection(const ReportInput& input) {
         table.rows.push_back({std::to_string(i + 1), layer.name, std::string(name(layer.role)),
                               layer.path.filename().string(),
                               info.format + (info.version.empty() ? "" : " " + info.version),
-                              std::string(symbol(layer.unit.value_or(LengthUnit::metre))),
+                              std::string(symbol(layer.lengthUnit())),
                               grouped(layer.data->points->size()), extentText(layer)});
         hashes.rows.emplace_back(layer.path.filename().string(), layer.data->sha256);
     }

@@ -43,6 +43,20 @@ std::string referenceOf(const InitialPoseSpec& init) {
     return {};
 }
 
+std::optional<LengthUnit> Layer::fileUnit() const {
+    if (!data || !data->info.metresPerUnit) return std::nullopt;
+    return lengthUnitOf(*data->info.metresPerUnit);
+}
+
+double Layer::metresPerUnit() const {
+    if (unit) return metresPer(*unit);
+    return data && data->info.metresPerUnit ? *data->info.metresPerUnit : 1;
+}
+
+LengthUnit Layer::lengthUnit() const {
+    return unit ? *unit : nearestLengthUnit(metresPerUnit());
+}
+
 Similarity sceneFromLayer(const Layer& layer) {
     if (layer.registration) return layer.registration->targetFromSource;
     return {Pose::Identity(), layer.metresPerUnit()};

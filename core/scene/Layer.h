@@ -65,8 +65,12 @@ struct Layer {
     std::shared_ptr<const LayerData> data;           ///< null until loaded
     std::optional<RegistrationResult> registration;  ///< null until registered
 
-    /// Metres in the layer's own frame from file units (the unit given, else metres).
-    double metresPerUnit() const { return metresPer(unit.value_or(LengthUnit::metre)); }
+    /// Metres in the layer's own frame from file units: the unit given, else what the file says, else metres.
+    double metresPerUnit() const;
+    /// That as a unit, for people; the nearest one of a file that names another.
+    LengthUnit lengthUnit() const;
+    /// What the file says, where its unit is one of ours.
+    std::optional<LengthUnit> fileUnit() const;
 };
 
 /// Where the layer lies in the scene: its registration if it has one, else just its unit.

@@ -1,6 +1,7 @@
 """vestige-cli info and convert from outside: exit codes, JSON, sentences. Usage: io_test.py VESTIGE_CLI"""
 import hashlib
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -128,6 +129,60 @@ class IoCli(unittest.TestCase):
         self.assertEqual(done.returncode, 5)
         self.assertIn("/proc/nowhere/a.las", done.stderr)
         self.assertEqual([entry.name for entry in self.path.iterdir()], ["cloud.csv"])
+
+    def test_info_quick_tells_the_head_alone(self):
+        scan = self.path / "scan.pcd"
+        run("convert", self.cloud, scan)
+        (info,) = json.loads(run("--json", "info", "--quick", scan).stdout)["files"]
+        self.assertEqual((info["points"], info["attributes"]), (2, ["intensity", "color"]))
+        self.assertEqual((info["sha256"], info["bounds"]), (None, None))
+        # A text has no head: the rows may even be broken.
+        broken = self.path / "broken.xyz"
+        broken.write_text("1 2 3\n4 5\n")
+        done = run("--json", "info", "--quick", broken)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["files"][0]["points"], 0)
+
+    def test_info_tells_scans_and_units(self):
+        scans = self.path / "scans.ptx"
+        header = "0 0 2\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 2 1\n"
+        scans.write_text("1\n2\n" + header + "1 2 3 0.5\n0 0 0 0.5\n1\n1\n" + header + "4 5 6 1\n")
+        (info,) = json.loads(run("--json", "info", scans).stdout)["files"]
+        self.assertEqual([scan["points"] for scan in info["scans"]], [1, 1])
+        self.assertEqual(info["scans"][0]["pose"][11], 2)
+        self.assertEqual((info["images"], info["damage"], info["metres_per_unit"], info["unit"]),
+                         ([], None, None, None))
+        self.assertIn("scan 2: 1 points", run("info", scans).stdout)
+        flight = self.path / "a.sbet"
+        flight.write_bytes(struct.pack("<17d", 100, 0.9, 0.2, 50, *[0] * 13) * 3)
+        (info,) = json.loads(run("--json", "info", flight).stdout)["files"]
+        self.assertEqual((info["points"], info["metres_per_unit"], info["unit"]), (3, 1, "m"))
+
+    def test_einscan_markers_are_3_with_advice(self):
+        markers = self.path / "markers.p3"
+        markers.write_bytes(b"\x00\x01\x02")
+        for arguments in (["info"], ["info", "--quick"]):
+            done = run(*arguments, markers)
+            self.assertEqual(done.returncode, 3)
+            self.assertIn("ASC, PLY, OBJ or STL", done.stderr)
+
+    def test_any_name_and_a_decimal_comma(self):
+        environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LOCPATH=str(self.path / "locales"))
+        (self.path / "locales").mkdir()
+        subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", self.path / "locales" / "de_DE.UTF-8"],
+                       capture_output=True, check=False)
+        truth = json.loads(run("--json", "info", self.cloud).stdout)["files"][0]
+        for name in ("Straße Zürich.csv".encode(), "現場 測量.csv".encode(), b"caf\xe9.csv"):
+            source = os.path.join(os.fsencode(self.path), name)
+            target = source[:-4] + b".ply"
+            with open(source, "wb") as file:
+                file.write(self.cloud.read_bytes())
+            done = subprocess.run([CLI, "convert", source, target], capture_output=True, env=environment, timeout=60)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            done = subprocess.run([CLI, "--json", "info", target], capture_output=True, env=environment, timeout=60)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            (info,) = json.loads(done.stdout.decode())["files"]
+            self.assertEqual(info["bounds"], truth["bounds"])
 
 
 if __name__ == "__main__":

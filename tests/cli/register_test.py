@@ -7,6 +7,7 @@ import json
 import math
 import os
 import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -61,6 +62,17 @@ def to_source(point):
 
 def write(path, points, scale=1):
     path.write_text("".join(f"{x * scale:.5f} {y * scale:.5f} {z * scale:.5f}\n" for x, y, z in points))
+
+
+def write_las(path, points, metres_per_unit, unit):
+    """LAS 1.2, point format 0, with GeoTIFF keys that name the unit by its EPSG code."""
+    keys = struct.pack("<12H", 1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, unit)
+    record = struct.pack("<H16sHH32s", 0, b"LASF_Projection", 34735, len(keys), b"") + keys
+    rows = [tuple(round(value / metres_per_unit / 1e-4) for value in point) for point in points]
+    ends = [value * 1e-4 for axis in range(3) for value in (max(r[axis] for r in rows), min(r[axis] for r in rows))]
+    header = struct.pack("<4sHHIHH8sBB32s32sHHHIIBHI5I12d", b"LASF", 0, 0, 0, 0, 0, b"", 1, 2, b"", b"", 1, 2026, 227,
+                         227 + len(record), 1, 0, 20, len(rows), len(rows), 0, 0, 0, 0, *[1e-4] * 3, *[0] * 3, *ends)
+    path.write_bytes(header + record + b"".join(struct.pack("<3i8x", *row) for row in rows))
 
 
 def points_of(path):
@@ -166,9 +178,26 @@ class Register(unittest.TestCase):
         self.expect_truth(told["pose"], 0.01, 0.1)
         self.assertEqual(json.loads(self.pose.read_text())["scale"], 0.001)
 
+    def test_a_las_file_in_feet_is_taken_at_its_word(self):
+        target, source = self.folder / "target_ftUS.las", self.folder / "source_ft.las"
+        us_foot = 1200 / 3937
+        write_las(source, self.source_points, 0.3048, 9002)
+        write_las(target, points_of(self.target), us_foot, 9003)
+        aligned = self.folder / "aligned.xyz"
+        done = cli("register", target, source, "--pose-out", self.pose, "--aligned", aligned, "--json")
+        told = json.loads(done.stdout)
+        self.assertEqual(told["scale"], 0.3048)
+        self.expect_truth(told["pose"], 0.01, 0.1)
+        self.assertIn("into its frame in metres", done.stderr)
+        # In metres, in the target's frame.
+        self.assertLess(max(abs(x) for x, _, _ in points_of(aligned)), 7)
+        # The user's word counts more.
+        done = run("register", target, source, "--unit", "m", "--pose-out", self.pose, "--json")
+        self.assertEqual(done.returncode, 4)
+
     def test_a_wrong_command_line_is_2(self):
         cli("register", self.target, self.source, code=2)
-        for wrong in (["--method", "guess"], ["--voxel", "0"], ["--unit", "ft"], ["--aligned", self.folder / "a.bmp"],
+        for wrong in (["--method", "guess"], ["--voxel", "0"], ["--unit", "yd"], ["--aligned", self.folder / "a.bmp"],
                       ["--unknown"]):
             cli("register", self.target, self.source, "--pose-out", self.pose, *wrong, code=2)
         self.assertFalse(self.pose.exists())

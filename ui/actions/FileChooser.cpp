@@ -4,6 +4,7 @@
 #include <QMessageBox>
 
 #include "core/io/FormatRegistry.h"
+#include "ui/actions/FilePeekPanel.h"
 
 namespace vestige {
 namespace {
@@ -16,6 +17,7 @@ QString tr(const char* text) {
 QString readableFilter() {
     QStringList every, filters;
     for (const auto& format : fileFormats()) {
+        if (!format->canRead()) continue;
         QStringList patterns;
         for (const auto& extension : format->extensions()) {
             const QString pattern = QString::fromStdString(extension);
@@ -38,7 +40,10 @@ QString FileChooser::caseToOpen(QWidget* window) {
 }
 
 QStringList FileChooser::filesToAdd(QWidget* window) {
-    return QFileDialog::getOpenFileNames(window, tr("Add clouds and meshes"), {}, readableFilter());
+    QFileDialog dialog(window, tr("Add clouds and meshes"), {}, readableFilter());
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    addPeekPanel(dialog);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles() : QStringList();
 }
 
 QString FileChooser::caseToSave(QWidget* window, const QString& suggestion) {

@@ -52,11 +52,16 @@ std::vector<std::string> recogniseUnits(std::vector<Layer>& layers, const SceneS
     if (!target && !layers.empty()) target = &layers.front();
     if (!target || !target->data) return remarks;
     for (Layer& layer : layers) {
-        if (&layer == target || layer.unit || !layer.data) continue;
-        const UnitGuess guess = guessUnit(*target->data->geometry, *layer.data->geometry, {});
+        if (layer.unit || !layer.data) continue;
+        const std::optional<LengthUnit> ofFile = layer.fileUnit();
+        if (&layer == target && !ofFile) continue;
+        const UnitGuess guess = guessUnit(*target->data->geometry, *layer.data->geometry, {}, ofFile);
+        if (ofFile) layer.unit = ofFile;
         if (guess.unit == LengthUnit::metre) continue;
         layer.unit = guess.unit;
-        remarks.push_back(layer.name + " is taken to be in millimetres: " + guess.reason);
+        const std::string unit(nameOf(guess.unit));
+        remarks.push_back(ofFile ? layer.name + " is in " + unit + ", as its file says"
+                                 : layer.name + " is taken to be in " + unit + ": " + guess.reason);
     }
     return remarks;
 }

@@ -39,7 +39,8 @@ LayerForm::LayerForm(Document& document, Selection& selection, QWidget* parent)
     form->setHorizontalSpacing(12);
     form->setVerticalSpacing(6);
     for (const LayerRole role : kRoles) role_->addItem(toQt(vestige::name(role)));
-    unit_->addItems({tr("recognise"), "m", "mm"});
+    unit_->addItem(tr("recognise"));
+    for (const LengthUnit unit : kLengthUnits) unit_->addItem(toQt(symbol(unit)));
     start_->addItems(
         {tr("where the file has it"), tr("pose or picks of the case"), tr("found automatically")});
     start_->setToolTip(
@@ -94,7 +95,7 @@ void LayerForm::fill() {
     if (!layer) return;
     if (!name_->isModified() || !name_->hasFocus()) name_->setText(QString::fromStdString(layer->name));
     role_->setCurrentText(toQt(vestige::name(layer->role)));
-    unit_->setCurrentIndex(!layer->unit ? 0 : *layer->unit == LengthUnit::metre ? 1 : 2);
+    unit_->setCurrentIndex(layer->unit ? unit_->findText(toQt(symbol(*layer->unit))) : 0);
     start_->setCurrentIndex(std::holds_alternative<InitIdentity>(layer->init) ? identity
                             : std::holds_alternative<InitAuto>(layer->init)   ? automatic
                                                                               : fromCase);

@@ -11,6 +11,7 @@ class PcdFormat : public FileFormat {
     std::vector<std::string> extensions() const override { return {"pcd"}; }
     bool canWrite() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
+    Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const override;
     Result<LoadedGeometry> read(const std::filesystem::path& file, const ReadOptions& options,
                                 const JobControl& control) const override;
     Status write(const std::filesystem::path& file, const TriangleMesh& geometry, const WriteOptions& options,

@@ -15,7 +15,9 @@
 namespace vestige {
 namespace {
 
-void readRows(std::string_view text, const TextLayout& layout, ReadJob& job, PointSink& sink) {
+/// `promised` grows with each block of a PTS file.
+void readRows(std::string_view text, const TextLayout& layout, std::optional<std::size_t>& promised,
+              ReadJob& job, PointSink& sink) {
     TextScanner scanner(text, layout.bodyOffset, layout.bodyLine);
     std::vector<double> row(layout.fields.size());
     std::size_t longRows = 0;
@@ -29,6 +31,12 @@ void readRows(std::string_view text, const TextLayout& layout, ReadJob& job, Poi
         if (bad > 0 && bad <= row.size())
             job.refuseLine(line, "value " + std::to_string(bad) + " is missing or no number",
                            counted(row.size(), "number") + " (" + layout.description + ")");
+        // PTS: the count of the next block of points.
+        if (cells == 1 && bad == 0 && promised == sink.size() && row[0] >= 0 && row[0] < 1e15 &&
+            row[0] == std::floor(row[0])) {
+            *promised += static_cast<std::size_t>(row[0]);
+            continue;
+        }
         if (cells < row.size())
             job.refuseLine(line, "the row has " + counted(cells, "value"),
                            counted(row.size(), "number") + " (" + layout.description + ")");
@@ -38,21 +46,20 @@ void readRows(std::string_view text, const TextLayout& layout, ReadJob& job, Poi
     }
     if (longRows > 0)
         job.warn(counted(longRows, "row") + " with more values than columns, the rest not kept");
-    if (layout.promised && *layout.promised > sink.size())
+    if (promised && *promised > sink.size())
         job.refuseLine(scanner.line(), "the file ends after " + counted(sink.size(), "point"),
-                       std::to_string(*layout.promised) + " points as its first line says");
-    if (layout.promised && *layout.promised < sink.size())
-        job.warn("more points than the " + std::to_string(*layout.promised) +
-                 " that the first line promises");
+                       std::to_string(*promised) + " points as its counts say");
+    if (promised && *promised < sink.size())
+        job.warn("more points than the " + std::to_string(*promised) + " that the first line promises");
 }
 
 PointCloud readCloud(std::string_view text, const TextLayout& layout, ReadJob& job) {
     PointSink sink(layout.fields, ColorDepth::guess);
-    job.untilDamage([&] { readRows(text, layout, job, sink); },
+    std::optional<std::size_t> promised = layout.promised;
+    job.untilDamage([&] { readRows(text, layout, promised, job, sink); },
                     [&] {
-                        const std::string words = layout.promised
-                                                      ? firstOf(sink.size(), *layout.promised, "point")
-                                                      : "the first " + counted(sink.size(), "point");
+                        const std::string words = promised ? firstOf(sink.size(), *promised, "point")
+                                                           : "the first " + counted(sink.size(), "point");
                         return WholePart{sink.size(), words};
                     });
     return std::move(sink).build();

@@ -40,8 +40,10 @@ LasWriteOptions headerOf(const SceneState& scene) {
     options.creationDay = newest.second;
     const auto digest = hash.digest();
     std::copy_n(digest.begin(), options.guid.size(), options.guid.begin());
-    const FileInfo& target = scene.layer(scene.target)->data->info;
-    options.crsRecords = target.crsRecords;
+    const Layer& targetLayer = *scene.layer(scene.target);
+    const FileInfo& target = targetLayer.data->info;
+    // The fused cloud is in metres: a reference system in feet is no longer its own.
+    if (targetLayer.metresPerUnit() == 1) options.crsRecords = target.crsRecords;
     options.gpsTimeIsAdjustedStandard = target.gpsTimeIsAdjustedStandard;
     options.extraRecords = {layerNames(scene)};
     return options;

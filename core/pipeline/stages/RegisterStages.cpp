@@ -49,8 +49,7 @@ Status registerStage(ReconstructRun& run, const JobControl& control) {
         if (why && (!failure || failure->code == ErrorCode::untrustworthy)) failure = why;
         if (!result) continue;
         Layer& layer = *run.scene.layer(id);
-        if (!layer.unit)
-            layer.unit = result->targetFromSource.scale == 1 ? LengthUnit::metre : LengthUnit::millimetre;
+        if (!layer.unit) layer.unit = nearestLengthUnit(result->targetFromSource.scale);
         setRegistration(id, std::move(*result))->apply(run.scene);
         if (!why) judge(run, control, *run.scene.layer(id));
     }

@@ -196,8 +196,7 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
         const double margin = parameters.real("search_margin");
         std::string& note = first.notes.emplace_back("first pose found ");
         note.append(describe(best)).append(", with voxels of ").append(fixedText(best.voxel_m, 3));
-        note.append(best.targetFromSource.scale == 1 ? " m, the source in metres"
-                                                     : " m, the source in millimetres");
+        note.append(" m, the source in ").append(nameOf(nearestLengthUnit(best.targetFromSource.scale)));
         std::optional<Fit> fitOfBest;
         for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) {
             const Candidate& one = candidates[i];

@@ -54,7 +54,8 @@ std::optional<LengthUnit> readUnit(const JsonCursor& cursor) {
     const std::string text = cursor.text();
     if (text == "auto") return std::nullopt;
     const auto unit = lengthUnitFromSymbol(text);
-    if (!unit) cursor.reject("'" + text + "' is no unit of length", "expected m, mm or auto");
+    if (!unit)
+        cursor.reject("'" + text + "' is no unit of length", "expected " + lengthUnitSymbols() + " or auto");
     return unit;
 }
 

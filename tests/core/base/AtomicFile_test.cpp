@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "core/base/HiddenName.h"
 #include "tests/support/TestPaths.h"
 
 using namespace vestige;
@@ -120,4 +121,22 @@ TEST(AtomicFile, ReadingAPipeIsRefusedAndDoesNotWait) {
     const auto text = readTextFile(folder / "pipe");
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error().message, "this is a device or pipe, a file was expected");
+}
+
+TEST(HiddenName, FitsBesideTheLongestNamesAndTellsThemApart) {
+    EXPECT_EQ(hiddenNameOf("/a/cloud.las").stem, ".cloud");
+    EXPECT_EQ(hiddenNameOf("/a/cloud.las").extension, ".las");
+    std::string umlauts;
+    for (int i = 0; i < 125; ++i) umlauts += "\xc3\xa4";
+    for (const std::string& name : {std::string(251, 'x') + ".las", umlauts + ".las", std::string(255, 'x'),
+                                    "a." + std::string(253, 'x')}) {
+        const HiddenName hidden = hiddenNameOf("/a/" + name);
+        EXPECT_LE(hidden.stem.size() + hidden.extension.size() + 64, 255) << name;
+        EXPECT_TRUE(hidden.stem.starts_with("."));
+        const HiddenName other = hiddenNameOf("/a/" + name.substr(0, 240) + "other.las");
+        EXPECT_NE(hidden.stem, other.stem) << name;
+    }
+    // No character is cut in two.
+    const std::string stem = hiddenNameOf("/a/" + umlauts + ".las").stem;
+    EXPECT_EQ(stem[stem.rfind('-') - 1], '\xa4');
 }

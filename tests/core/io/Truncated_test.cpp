@@ -20,6 +20,18 @@ std::string contentOf(const std::string& extension, const TemporaryFolder& folde
     if (extension == "stl")
         return std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(36, '\1') +
                std::string(14, '\2');
+    if (extension == "ptx") {
+        const std::string axes = "1 1 1\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 1\n";
+        return "1\n2\n" + axes + "1 2 3 0.5 1 2 3\n0 0 0 0.5\n2\n1\n" + axes + "4 5 6 1\n7 8 9 1\n";
+    }
+    if (extension == "sbet") {
+        std::string text;
+        for (double time = 0; time < 5; ++time) {
+            const double values[17] = {time, 0.9, 0.2, 100};
+            text.append(reinterpret_cast<const char*>(values), sizeof values);
+        }
+        return text;
+    }
     const auto file = folder / ("whole." + extension);
     EXPECT_TRUE(writeGeometry(file, {fullCloud(40, true), {{0, 1, 2}, {2, 3, 4}}}));
     return readBytes(file);
@@ -69,4 +81,5 @@ TEST_P(Damaged, WrongBytesAreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Damaged,
-                         testing::Values("las", "laz", "e57", "ply", "pcd", "csv", "pts", "vtk", "obj", "stl"));
+                         testing::Values("las", "laz", "e57", "ply", "pcd", "csv", "pts", "vtk", "obj", "stl",
+                                         "ptx", "sbet"));

@@ -155,5 +155,25 @@ TEST(GuessUnit, FromPairsFromSizeAndFromSpacing) {
     EXPECT_EQ(guessUnit(wall(100, 0.5), wall(3, 0.05), {}).unit, LengthUnit::metre);
 }
 
+TEST(GuessUnit, TheFileIsBelievedUnlessPairsSayOtherwise) {
+    // A wall of 30 m in feet: its size alone would make it metres.
+    const TriangleMesh inFeet = wall(98.4, 1);
+    EXPECT_EQ(guessUnit(wall(100, 0.5), inFeet, {}).unit, LengthUnit::metre);
+    const UnitGuess said = guessUnit(wall(100, 0.5), inFeet, {}, LengthUnit::usSurveyFoot);
+    EXPECT_EQ(said.unit, LengthUnit::usSurveyFoot);
+    EXPECT_TRUE(said.certain);
+    EXPECT_NE(said.reason.find("US survey feet"), std::string::npos);
+    // Pairs in millimetres, and a file that says so, or says inches, or feet of pairs in feet.
+    EXPECT_EQ(guessUnit({}, {}, pairs(0.01), LengthUnit::millimetre).unit, LengthUnit::millimetre);
+    const UnitGuess wrong = guessUnit({}, {}, pairs(0.01), LengthUnit::inch);
+    EXPECT_EQ(wrong.unit, LengthUnit::millimetre);
+    EXPECT_NE(wrong.reason.find("although its file says inches"), std::string::npos);
+    std::vector<PointPair> feet = pairs(0.01);
+    for (PointPair& pair : feet) pair.source *= 0.001 / 0.3048;
+    EXPECT_EQ(guessUnit({}, {}, feet).unit, LengthUnit::foot);
+    EXPECT_EQ(guessUnit({}, {}, feet, LengthUnit::usSurveyFoot).unit, LengthUnit::usSurveyFoot)
+        << "pairs cannot tell the two feet apart";
+}
+
 }  // namespace
 }  // namespace vestige

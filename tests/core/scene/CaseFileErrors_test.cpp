@@ -64,8 +64,9 @@ TEST(CaseFileErrors, OfLayers) {
               "case.json: layers[1].role: 'tripod' is no role; expected aerial, handheld or photogrammetry");
     EXPECT_EQ(errorOfLayer(R"("id":"b","role":"aerial","path":"")"),
               "case.json: layers[1].path: the text is empty; expected a name");
-    EXPECT_EQ(errorOfLayer(R"("id":"b","role":"aerial","path":"b","unit":"ft")"),
-              "case.json: layers[1].unit: 'ft' is no unit of length; expected m, mm or auto");
+    EXPECT_EQ(
+        errorOfLayer(R"("id":"b","role":"aerial","path":"b","unit":"yd")"),
+        "case.json: layers[1].unit: 'yd' is no unit of length; expected m, mm, cm, um, ft, ftUS, in or auto");
     EXPECT_EQ(errorOfLayer(R"("id":"b","role":"aerial","path":"b","init":{"pose":[1,2]})"),
               "case.json: layers[1].init.pose: there are 2 values here; expected 16 numbers, the 4x4 matrix "
               "row by row");
