@@ -179,8 +179,6 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
     if (const Status usable = checkCoordinates(file, geometry->geometry.vertices); !usable)
         return fail(usable.error());
     tellUnits(geometry->info);
-    if (const Status finite = checkFinite(file, geometry->geometry.vertices); !finite)
-        return fail(finite.error());
     control.progress(1, "reading");
     return geometry;
 }
