@@ -5,8 +5,10 @@
 #include <fstream>
 #include <set>
 
+#include "core/base/FileStamp.h"
 #include "core/base/Hash.h"
 #include "core/io/ApplyReadOptions.h"
+#include "core/io/MappedFile.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -61,6 +63,21 @@ Status checkFinite(const std::filesystem::path& file, const PointCloud& cloud) {
     return {};
 }
 
+/// What `read` makes of the file, refused when the file is not the same before and after. Also where reading
+/// failed: what it complains of may be what the change did.
+template <class T, class Read>
+Result<T> whileUnchanged(const std::filesystem::path& file, const Read& read) {
+    const std::size_t faults = MappedFile::brokenReads();
+    const auto before = stampOf(file);
+    Result<T> result = read();
+    if (!result && result.error().code == ErrorCode::cancelled) return result;
+    if (const auto after = stampOf(file); before && (!after || *after != *before))
+        return fail(changedWhileRead(file, *before));
+    if (MappedFile::brokenReads() != faults)
+        return fail(ErrorCode::input, "the disk could not read all of the file", file.string());
+    return result;
+}
+
 }  // namespace
 
 const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
@@ -111,7 +128,8 @@ Result<const FileFormat*> formatForWriting(const std::filesystem::path& file) {
 Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    Result<FileInfo> info = (*format)->info(file, control.sub(0, 0.7));
+    Result<FileInfo> info =
+        whileUnchanged<FileInfo>(file, [&] { return (*format)->info(file, control.sub(0, 0.7)); });
     if (!info) return info;
     Result<std::string> hash = sha256OfFile(file, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
@@ -129,7 +147,8 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
                                     const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    Result<LoadedGeometry> geometry = (*format)->read(file, options, control);
+    Result<LoadedGeometry> geometry =
+        whileUnchanged<LoadedGeometry>(file, [&] { return (*format)->read(file, options, control); });
     if (!geometry) return geometry;
     applyReadOptions(options, *geometry);
     if (const Status finite = checkFinite(file, geometry->geometry.vertices); !finite)
