@@ -50,6 +50,7 @@ Status load(SceneState& scene, const JobControl& control) {
         auto data = loadLayerData(scene.resolve(layer.path), control.sub(share / count, (share + 1) / count));
         if (!data) return fail(data.error());
         layer.data = std::move(*data);
+        if (const auto difference = evidenceDifference(layer)) control.message("warning: " + *difference);
     }
     return {};
 }
