@@ -26,11 +26,17 @@ Result<std::string> readJson(const fs::path& json) {
 }
 
 /// The saved case of a store, with a warning of what it does not hold.
-Result<std::string> readStore(const fs::path& folder, std::vector<std::string>* warnings) {
+Result<std::string> readStore(const fs::path& folder, std::vector<std::string>* warnings,
+                              UnsavedEdits unsaved) {
     auto stored = readCaseStore(folder);
     if (!stored) return fail(stored.error());
+    std::error_code unknown;
+    if (!stored->saved && fs::exists(folder / "case.db", unknown) &&
+        !fs::exists(folder / "case.json", unknown))
+        return fail(ErrorCode::input, "nothing has been saved here yet", folder.string(),
+                    "edits that were made before are offered when the program starts");
     if (!stored->saved) return readJson(folder / "case.json");
-    if (warnings && stored->unsaved > 0)
+    if (warnings && stored->unsaved > 0 && unsaved == UnsavedEdits::told)
         warnings->push_back(folder.string() + ": " + stored->unsavedSentence() +
                             "; the case as it was saved is used");
     if (warnings && stored->copyChanged)
@@ -74,10 +80,10 @@ bool looksLikeCase(const fs::path& path) {
            fs::is_regular_file(path / "case.json", ignored);
 }
 
-Result<SceneState> readCase(const fs::path& file, std::vector<std::string>* warnings) {
+Result<SceneState> readCase(const fs::path& file, std::vector<std::string>* warnings, UnsavedEdits unsaved) {
     const fs::path place = casePlace(file);
     const fs::path json = isCaseStore(place) ? caseJsonPath(place) : caseJsonPath(file);
-    const auto text = isCaseStore(place) ? readStore(place, warnings) : readJson(json);
+    const auto text = isCaseStore(place) ? readStore(place, warnings, unsaved) : readJson(json);
     if (!text) return fail(text.error());
     auto scene = sceneFromText(*text, json.string(), folderOf(json), warnings);
     if (!scene) return scene;

@@ -14,8 +14,11 @@ namespace vestige {
 /// visibility; a folder holds it as case.json), or a store NAME.vestige as it was saved last
 /// (store/CaseStore.h). Layers are named, not loaded; their paths come back absolute. ErrorCode::input
 /// names the file and the JSON path ("layers[1].unit") and what was expected. Keys that Vestige does
-/// not know are no error: each gives a sentence in `warnings`; so do edits that a store holds unsaved.
-Result<SceneState> readCase(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr);
+/// not know are no error: each gives a sentence in `warnings`; so do edits that a store holds unsaved,
+/// unless the caller has its own way with them.
+enum class UnsavedEdits { told, passedOver };
+Result<SceneState> readCase(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
+                            UnsavedEdits unsaved = UnsavedEdits::told);
 
 /// Writes it so that readCase gives the same scene; numbers exactly; layer paths relative to the JSON file.
 /// Atomic and durable. ErrorCode::output on failure. NAME.vestige becomes a store; ErrorCode::output, too,

@@ -40,8 +40,9 @@ std::vector<Abandoned> Autosaves::abandoned() const {
         else
             found.push_back({folder, std::move(*content)});
     }
-    std::sort(found.begin(), found.end(),
-              [](const Abandoned& a, const Abandoned& b) { return a.content.lastTime > b.content.lastTime; });
+    std::sort(found.begin(), found.end(), [](const Abandoned& a, const Abandoned& b) {
+        return a.content.lastMoment > b.content.lastMoment;
+    });
     return found;
 }
 

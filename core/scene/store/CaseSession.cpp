@@ -26,7 +26,7 @@ std::optional<Recovered> recover(const StoredCase& stored, const fs::path& folde
 CaseSession::CaseSession(Autosaves autosaves) : autosaves_(std::move(autosaves)) {}
 
 CaseSession::CaseSession(Autosaves autosaves, const fs::path& file)
-    : autosaves_(std::move(autosaves)), place_(casePlace(file)) {
+    : autosaves_(std::move(autosaves)), file_(std::filesystem::absolute(file)), place_(casePlace(file)) {
     CaseLock::Refusal refusal;
     auto lock = CaseLock::take(CaseLock::fileFor(place_), refusal);
     readOnly_ = refusal.sentence;
@@ -60,7 +60,7 @@ void CaseSession::find(const fs::path& file) {
     fs::path folder = place_;
     if (auto left = autosaves_.abandonedOf(place_)) {
         origins_.push_back(left->folder);
-        if (own.drafts.empty() || left->content.lastTime > own.lastTime) {
+        if (own.drafts.empty() || left->content.lastMoment > own.lastMoment) {
             own = std::move(left->content);
             folder = left->folder;
         }
@@ -124,7 +124,7 @@ Status CaseSession::save(const SceneState& state) {
         }
         store_ = std::move(*store);
     }
-    const Status saved = store_ ? store_->save(state) : writeCase(place_, state);
+    const Status saved = store_ ? store_->save(state) : writeCase(file_, state);
     if (!saved) return saved;
     missed_.clear();
     inAutosave_ = 0;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/Result.h"
@@ -29,14 +30,14 @@ class CaseSession {
     /// For a case that has no place yet.
     explicit CaseSession(Autosaves autosaves);
     /// For the case at `file`, which is taken for this window; when it cannot be, `readOnly` says why. What
-    /// an earlier window left of it is found in `recovered`.
+    /// an earlier window left of it comes from `takeRecovered`, once.
     CaseSession(Autosaves autosaves, const std::filesystem::path& file);
     ~CaseSession();
 
     const std::filesystem::path& place() const { return place_; }
     /// Why the case cannot be saved where it is; empty when it can.
     const std::string& readOnly() const { return readOnly_; }
-    const std::optional<Recovered>& recovered() const { return recovered_; }
+    std::optional<Recovered> takeRecovered() { return std::exchange(recovered_, std::nullopt); }
 
     /// Makes an abandoned autosave this session's origin; it is removed once its edits are kept here.
     void takeOver(const Abandoned& abandoned);
@@ -62,6 +63,7 @@ class CaseSession {
 
     std::mutex mutex_;
     Autosaves autosaves_;
+    std::filesystem::path file_;  ///< as it was named, which layer paths are relative to
     std::filesystem::path place_;
     std::string readOnly_;
     std::unique_ptr<CaseLock> lock_;    ///< of a JSON case; a store has it inside

@@ -1,5 +1,6 @@
 #include "core/scene/store/CaseStore.h"
 
+#include <chrono>
 #include <utility>
 
 #include "core/base/AtomicFile.h"
@@ -19,6 +20,12 @@ namespace fs = std::filesystem;
 /// States kept besides the last.
 constexpr std::int64_t kKeptSaves = 10;
 constexpr std::int64_t kKeptDrafts = 5;
+
+std::int64_t moment() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
 
 std::string hashOf(const std::string& text) {
     Sha256 sha;
@@ -108,8 +115,8 @@ Status CaseStore::append(const std::vector<CaseEdit>& edits) {
         const std::int64_t base = lastSave(database);
         const std::string time = utcNow();
         for (std::size_t i = 0; i < edits.size(); ++i)
-            database.run("INSERT INTO journal(time, base, edit, case_text) VALUES(?, ?, ?, ?)",
-                         {time, base, edits[i].what,
+            database.run("INSERT INTO journal(time, moment, base, edit, case_text) VALUES(?, ?, ?, ?, ?)",
+                         {time, moment(), base, edits[i].what,
                           i + 1 == edits.size() ? Database::Value(*text) : Database::Value()});
         database.run(
             "UPDATE journal SET case_text=NULL WHERE case_text IS NOT NULL AND (base<>?1 OR id NOT IN "
@@ -145,9 +152,10 @@ Status CaseStore::discard() {
         Database::Transaction change(database);
         database.run("UPDATE journal SET case_text=NULL WHERE case_text IS NOT NULL");
         database.run(
-            "INSERT INTO journal(time, base, edit) VALUES(?, -1, 'the edits since the last save were "
+            "INSERT INTO journal(time, moment, base, edit) VALUES(?, ?, -1, 'the edits since the last save "
+            "were "
             "discarded')",
-            {utcNow()});
+            {utcNow(), moment()});
         database.run("UPDATE journal SET base=-1 WHERE base=?", {lastSave(database)});
         change.commit();
     });

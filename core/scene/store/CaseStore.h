@@ -19,11 +19,12 @@ struct StoredCase {
     /// Texts after edits that were not saved, newest first: of the last of them and, for when it cannot be
     /// read, some before. Empty when the newest is what was saved.
     std::vector<std::string> drafts;
-    std::int64_t unsaved = 0;  ///< edits since the last save; 0 when there are no drafts
-    std::string lastEdit;      ///< the newest of them, as "Undo" would call it
-    std::string lastTime;      ///< ISO 8601, UTC
-    std::string caseFile;      ///< of an autosave: the case it belongs to; empty: one that was never saved
-    bool copyChanged = false;  ///< case.json beside it is not what was saved here
+    std::int64_t unsaved = 0;     ///< edits since the last save; 0 when there are no drafts
+    std::string lastEdit;         ///< the newest of them, as "Undo" would call it
+    std::string lastTime;         ///< ISO 8601, UTC
+    std::int64_t lastMoment = 0;  ///< the same, nanoseconds since 1970
+    std::string caseFile;         ///< of an autosave: the case it belongs to; empty: one that was never saved
+    bool copyChanged = false;     ///< case.json beside it is not what was saved here
 
     /// "3 changes were not saved (the last: pick mirror, 2026-11-27T14:02:11Z)".
     std::string unsavedSentence() const;

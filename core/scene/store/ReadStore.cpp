@@ -32,11 +32,13 @@ StoredCase contentOf(Database& database) {
         stored.drafts.clear();
     if (!stored.drafts.empty()) {
         stored.unsaved = database.number("SELECT count(*) FROM journal WHERE base=?", {base});
-        const auto last =
-            database.run("SELECT edit, time FROM journal WHERE base=? ORDER BY id DESC LIMIT 1", {base});
+        const auto last = database.run(
+            "SELECT edit, time, moment FROM journal WHERE base=? ORDER BY id DESC LIMIT 1", {base});
         if (!last.empty()) {
             stored.lastEdit = textOf(last.front()[0]);
             stored.lastTime = textOf(last.front()[1]);
+            const auto* moment = std::get_if<std::int64_t>(&last.front()[2]);
+            stored.lastMoment = moment ? *moment : 0;
         }
     }
     stored.caseFile = textOf(database.value("SELECT value FROM facts WHERE key='case'"));

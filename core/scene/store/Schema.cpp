@@ -27,9 +27,11 @@ void prepareSchema(Database& database) {
     database.run(
         "CREATE TABLE saves(id INTEGER PRIMARY KEY AUTOINCREMENT, time TEXT NOT NULL, program TEXT NOT NULL, "
         "case_text TEXT, sha256 TEXT NOT NULL)");
-    // base: the row of `saves` that the edits change; 0 where nothing was saved.
+    // moment: nanoseconds since 1970, to order the journals of two places. base: the row of `saves` that the
+    // edits change; 0 where nothing was saved.
     database.run(
-        "CREATE TABLE journal(id INTEGER PRIMARY KEY AUTOINCREMENT, time TEXT NOT NULL, base INTEGER NOT "
+        "CREATE TABLE journal(id INTEGER PRIMARY KEY AUTOINCREMENT, time TEXT NOT NULL, moment INTEGER NOT "
+        "NULL, base INTEGER NOT "
         "NULL, "
         "edit TEXT NOT NULL, case_text TEXT)");
     database.run("CREATE INDEX journal_base ON journal(base)");
