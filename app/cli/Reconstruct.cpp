@@ -37,6 +37,8 @@ json layersJson(const SceneState& scene) {
                         {"points", layer.data->points->size()},
                         {"triangles", layer.data->geometry->triangles.size()},
                         {"sha256", layer.data->sha256},
+                        {"sha256_expected", layer.evidence ? json(layer.evidence->sha256) : json()},
+                        {"changed", evidenceDifference(layer).has_value()},
                         {"target", layer.id == scene.target},
                         {"registered", layer.registration.has_value()}});
     }

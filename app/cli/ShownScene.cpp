@@ -51,6 +51,7 @@ Status load(SceneState& scene, const JobControl& control) {
                                   layer.salvage);
         if (!data) return fail(data.error());
         layer.data = std::move(*data);
+        if (const auto difference = evidenceDifference(layer)) control.message("warning: " + *difference);
     }
     return {};
 }

@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
+#include <QStandardPaths>
 #include <algorithm>
 #include <clocale>
 #include <exception>
@@ -71,6 +72,8 @@ int run(int argc, char** argv) {
 
     MainWindow window(nativeSurface(), nativeRenderer(), std::make_unique<PdfPrinter>());
     QApplication::setWindowIcon(QIcon(":/icons/vestige.svg"));
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    window.keepEdits(std::filesystem::path(data.toStdString()) / "autosave");
     window.show();
     const QStringList paths = parser.positionalArguments();
     if (!paths.isEmpty()) window.open(paths);

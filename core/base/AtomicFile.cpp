@@ -1,22 +1,40 @@
 #include "core/base/AtomicFile.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
+#include <set>
 #include <system_error>
 #include <utility>
 
+#include "core/base/Durable.h"
 #include "core/base/FileReplacements.h"
 #include "core/base/HiddenName.h"
+#include "core/base/Leftovers.h"
 
 namespace vestige {
 namespace {
 
+constexpr const char* kPartial = ".partial-";
+constexpr const char* kReplaced = ".replaced-";
+
 /// A hidden name of this process's own in the folder of `place`, with its extension.
 std::filesystem::path beside(const std::filesystem::path& place, const char* what) {
     const HiddenName name = hiddenNameOf(place);
-    return place.parent_path() / (name.stem + what + std::to_string(::getpid()) + name.extension);
+    return place.parent_path() / (name.stem + what + ownerMark() + name.extension);
+}
+
+/// What killed processes left of earlier files of this place.
+void clearLeftovers(const std::filesystem::path& place) {
+    const auto& [stem, extension] = hiddenNameOf(place);
+    std::error_code ignored;
+    // Where there are no second names for a file, a killed exchange leaves the old file under its second.
+    for (const auto& file : leftovers(place.parent_path(), stem + kReplaced, extension))
+        if (std::filesystem::exists(place, ignored))
+            std::filesystem::remove(file, ignored);
+        else
+            std::filesystem::rename(file, place, ignored);
+    for (const auto& file : leftovers(place.parent_path(), stem + kPartial, extension))
+        std::filesystem::remove(file, ignored);
 }
 
 }  // namespace
@@ -28,7 +46,7 @@ AtomicFile::AtomicFile(std::filesystem::path place) : place_(std::move(place)) {
     const std::string folder = place_.parent_path().string();
     device_ = type == std::filesystem::file_type::character || type == std::filesystem::file_type::fifo ||
               folder == "/dev" || folder == "/dev/fd" || folder.starts_with("/proc/");
-    temporary_ = device_ ? place_ : beside(place_, ".partial-");
+    temporary_ = device_ ? place_ : beside(place_, kPartial);
 }
 
 AtomicFile::~AtomicFile() {
@@ -43,9 +61,12 @@ Status AtomicFile::open() {
     if (std::filesystem::is_directory(place_, problem))
         return fail(ErrorCode::output, "a folder of this name is in the way of the file", place_.string());
     if (place_.has_parent_path()) std::filesystem::create_directories(place_.parent_path(), problem);
-    // Somebody else's link under this name would be written through.
-    std::error_code none;
-    if (!device_) std::filesystem::remove(temporary_, none);
+    if (!device_) {
+        clearLeftovers(place_);
+        // Somebody else's link under this name would be written through.
+        std::error_code none;
+        std::filesystem::remove(temporary_, none);
+    }
     errno = 0;
     stream_.open(temporary_, std::ios::binary | std::ios::trunc);
     if (!stream_)
@@ -59,13 +80,20 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
 }
 
 Status AtomicFile::finish() {
-    if (!stream_.is_open()) return {};
-    stream_.flush();
-    const bool good = stream_.good();
-    stream_.close();
-    if (good && !stream_.fail()) return {};
-    return fail(ErrorCode::output, "writing failed before the end of the file", place_.string(),
-                "is the disk full?");
+    bool good = true;
+    if (stream_.is_open()) {
+        stream_.flush();
+        good = stream_.good();
+        stream_.close();
+    }
+    if (!good || stream_.fail())
+        return fail(ErrorCode::output, "writing failed before the end of the file", place_.string(),
+                    "is the disk full?");
+    // Renamed before its content is on the disk, a file would be empty after a power failure.
+    if (const auto problem = device_ ? std::error_code() : syncFile(temporary_))
+        return fail(ErrorCode::output, "writing failed before the end of the file", place_.string(),
+                    problem.message());
+    return {};
 }
 
 Status AtomicFile::commit() {
@@ -79,12 +107,17 @@ Status AtomicFile::commit(const std::vector<AtomicFile*>& files) {
     for (AtomicFile* file : files) {
         if (file->device_) continue;
         if (const auto problem =
-                replaced.replace(file->temporary_, file->place_, beside(file->place_, ".replaced-")))
+                replaced.replace(file->temporary_, file->place_, beside(file->place_, kReplaced)))
             return fail(ErrorCode::output, "the finished file cannot be put in place", file->place_.string(),
                         problem.message());
     }
     replaced.keep();
-    for (AtomicFile* file : files) file->committed_ = true;
+    std::set<std::filesystem::path> folders;
+    for (AtomicFile* file : files) {
+        file->committed_ = true;
+        if (!file->device_) folders.insert(file->place_.parent_path());
+    }
+    for (const auto& folder : folders) syncFolder(folder);
     return {};
 }
 

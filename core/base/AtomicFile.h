@@ -14,7 +14,8 @@ namespace vestige {
 /// A file that appears whole or not at all: it is written beside its place under another name and renamed by
 /// commit(). Destroyed without commit() it leaves what stood there before untouched and nothing of its own. A
 /// device or a pipe (/dev/null, /dev/stdout) is written to directly. A symbolic link is replaced, and what it
-/// leads to, evidence perhaps, stays as it is.
+/// leads to, evidence perhaps, stays as it is. What is committed outlasts a power failure (Durable.h); what a
+/// killed process left beside the place is cleared away by the next that writes there.
 class AtomicFile {
   public:
     explicit AtomicFile(std::filesystem::path place);

@@ -5,7 +5,11 @@
 namespace vestige {
 
 std::string utcNow() {
-    const std::time_t now = std::time(nullptr);
+    return utcText(std::time(nullptr));
+}
+
+std::string utcText(std::int64_t seconds) {
+    const std::time_t now = seconds;
     std::tm parts{};
     ::gmtime_r(&now, &parts);
     char text[32];

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "core/base/FileStamp.h"
 #include "core/base/Hash.h"
 #include "core/base/Parallel.h"
 #include "core/io/ApplyReadOptions.h"
@@ -13,6 +14,7 @@
 #include "core/io/formats/GltfFormat.h"
 #include "core/io/CrsUnits.h"
 #include "core/io/formats/EinscanMarkers.h"
+#include "core/io/MappedFile.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -87,6 +89,19 @@ Status checkCoordinates(const std::filesystem::path& file, const PointCloud& clo
 Status checkBounds(const std::filesystem::path& file, const FileInfo& info) {
     if (info.points == 0 || (isUsable(info.bounds.min) && isUsable(info.bounds.max))) return {};
     return unusable(file, "the points' bounds");
+/// What `read` makes of the file, refused when the file is not the same before and after. Also where reading
+/// failed: what it complains of may be what the change did.
+template <class T, class Read>
+Result<T> whileUnchanged(const std::filesystem::path& file, const Read& read) {
+    const std::size_t faults = MappedFile::brokenReads();
+    const auto before = stampOf(file);
+    Result<T> result = read();
+    if (!result && result.error().code == ErrorCode::cancelled) return result;
+    if (const auto after = stampOf(file); before && (!after || *after != *before))
+        return fail(changedWhileRead(file, *before));
+    if (MappedFile::brokenReads() != faults)
+        return fail(ErrorCode::input, "the disk could not read all of the file", file.string());
+    return result;
 }
 
 }  // namespace
@@ -148,7 +163,8 @@ Result<const FileFormat*> formatForWriting(const std::filesystem::path& file) {
 Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    Result<FileInfo> info = (*format)->info(file, control.sub(0, 0.7));
+    Result<FileInfo> info =
+        whileUnchanged<FileInfo>(file, [&] { return (*format)->info(file, control.sub(0, 0.7)); });
     if (!info) return info;
     if (const Status usable = checkBounds(file, *info); !usable) return fail(usable.error());
     tellUnits(*info);
@@ -170,7 +186,8 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
                                     const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
-    Result<LoadedGeometry> geometry = (*format)->read(file, options, control);
+    Result<LoadedGeometry> geometry =
+        whileUnchanged<LoadedGeometry>(file, [&] { return (*format)->read(file, options, control); });
     if (!geometry) return geometry;
     applyReadOptions(options, *geometry);
     // Wherever warnings are read, the damage is read first.

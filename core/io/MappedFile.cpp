@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -20,7 +21,13 @@ struct Descriptor {
     }
 };
 
+std::atomic<std::size_t> broken{0};
+
 }  // namespace
+
+std::size_t MappedFile::brokenReads() {
+    return broken.load();
+}
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
     const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -44,10 +51,15 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
 }
 
 MappedFile::~MappedFile() {
+    if (!intact()) ++broken;
+    // The watch ends first: the addresses may be somebody else's as soon as they are given back.
+    { const MappingWatch ended = std::move(watch_); }
     if (data_) ::munmap(const_cast<std::byte*>(data_), size_);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
-    : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+    : data_(std::exchange(other.data_, nullptr)),
+      size_(std::exchange(other.size_, 0)),
+      watch_(std::move(other.watch_)) {}
 
 }  // namespace vestige

@@ -1,80 +1,15 @@
 #include "core/scene/CaseFile.h"
 
-#include <algorithm>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <set>
-
 #include "core/base/AtomicFile.h"
-#include "core/base/CleanText.h"
-#include "core/base/JsonSize.h"
+#include "core/base/Hash.h"
 #include "core/io/LooksLikeTileset.h"
-#include "core/scene/casefile/CaseJson.h"
+#include "core/scene/casefile/CaseText.h"
+#include "core/scene/store/CaseStore.h"
 
 namespace vestige {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A case with a thousand measurements is 2 MB and 40 000 values; the limits keep a hostile file from filling
-// the memory.
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
-constexpr std::size_t kMostValues = 1000000;
-constexpr int kDeepest = 64;
-
-/// Refuses a text that would make a tree too deep or too large, before there is any.
-void checkSize(const std::string& text, const std::string& file) {
-    const JsonSize size = jsonSize(text);
-    if (size.depth > kDeepest)
-        throw ErrorException{{ErrorCode::input, "the JSON is nested deeper than any case", file, {}}};
-    if (size.values > kMostValues)
-        throw ErrorException{{ErrorCode::input, "the JSON holds more values than any case", file, {}}};
-}
-
-/// Refuses a key that stands twice in one object: which of the two counts, every reader of JSON decides for
-/// itself.
-class KeyWatch {
-  public:
-    using Event = nlohmann::json::parse_event_t;
-    explicit KeyWatch(const std::string& file) : file_(file) {}
-
-    bool operator()(int, Event event, nlohmann::json& parsed) {
-        if (event == Event::object_start) seen_.emplace_back();
-        if (event == Event::object_end) seen_.pop_back();
-        if (event == Event::key && !seen_.back().insert(parsed.get<std::string>()).second)
-            throw ErrorException{
-                {ErrorCode::input,
-                 "the key \"" + cleanText(parsed.get<std::string>()) + "\" stands twice in one object", file_,
-                 "expected each key once"}};
-        return true;
-    }
-
-  private:
-    const std::string& file_;
-    std::vector<std::set<std::string>> seen_;
-};
-
-nlohmann::json parse(const std::string& text, const std::string& file) {
-    checkSize(text, file);
-    KeyWatch keys(file);
-    try {
-        return nlohmann::json::parse(text, std::ref(keys));
-    } catch (const nlohmann::json::parse_error& error) {
-        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw ErrorException{{ErrorCode::input,
-                              "this is not JSON from byte " + std::to_string(error.byte) + " on",
-                              file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')),
-                              {}}};
-    } catch (const nlohmann::json::out_of_range&) {
-        throw ErrorException{{ErrorCode::input, "a number is too large to be held", file, {}}};
-    }
-}
-
-bool isCaseFolder(const fs::path& path) {
-    std::error_code ignored;
-    return fs::is_directory(path, ignored) ||
-           (path.extension() == ".vestige" && !fs::is_regular_file(path, ignored));
-}
 
 std::string stemOfCase(const fs::path& file) {
     const fs::path absolute = fs::absolute(file).lexically_normal();
@@ -82,10 +17,60 @@ std::string stemOfCase(const fs::path& file) {
     return named.filename() == "case.json" ? named.parent_path().stem().string() : named.stem().string();
 }
 
+fs::path folderOf(const fs::path& json) {
+    return fs::absolute(json).lexically_normal().parent_path();
+}
+
+Result<std::string> readJson(const fs::path& json) {
+    auto text = guarded(json.string(), [&] { return readTextFile(json, kLargestCaseText); });
+    return text;
+}
+
+/// The saved case of a store, with a warning of what it does not hold.
+Result<std::string> readStore(const fs::path& folder, std::vector<std::string>* warnings,
+                              UnsavedEdits unsaved) {
+    auto stored = readCaseStore(folder);
+    if (!stored) return fail(stored.error());
+    std::error_code unknown;
+    if (!stored->saved && fs::exists(folder / "case.db", unknown) &&
+        !fs::exists(folder / "case.json", unknown))
+        return fail(ErrorCode::input, "nothing has been saved here yet", folder.string(),
+                    "edits that were made before are offered when the program starts");
+    if (!stored->saved) return readJson(folder / "case.json");
+    if (warnings && stored->unsaved > 0 && unsaved == UnsavedEdits::told)
+        warnings->push_back(folder.string() + ": " + stored->unsavedSentence() +
+                            "; the case as it was saved is used");
+    if (warnings && stored->copyChanged)
+        warnings->push_back((folder / "case.json").string() +
+                            ": this copy was changed by another program and is not read; the case is what "
+                            "case.db holds");
+    return std::move(*stored->saved);
+}
+
 }  // namespace
 
+bool isCaseStore(const fs::path& path) {
+    const fs::path named = path.has_filename() ? path : path.parent_path();
+    std::error_code ignored;
+    return named.extension() == ".vestige" && !fs::is_regular_file(named, ignored);
+}
+
 fs::path caseJsonPath(const fs::path& path) {
-    return isCaseFolder(path) ? path / "case.json" : path;
+    std::error_code ignored;
+    return isCaseStore(path) || fs::is_directory(path, ignored) ? path / "case.json" : path;
+}
+
+fs::path casePlace(const fs::path& path) {
+    fs::path place = fs::absolute(path).lexically_normal();
+    if (!place.has_filename()) place = place.parent_path();
+    std::error_code ignored;
+    // Whoever picks the readable copy inside a store means the case.
+    if (place.filename() == "case.json" && isCaseStore(place.parent_path()) &&
+        fs::exists(place.parent_path() / "case.db", ignored))
+        return place.parent_path();
+    if (!isCaseStore(place)) place = caseJsonPath(place);
+    const fs::path whole = fs::weakly_canonical(place, ignored);
+    return ignored ? place : whole;
 }
 
 bool looksLikeCase(const fs::path& path) {
@@ -96,43 +81,48 @@ bool looksLikeCase(const fs::path& path) {
            fs::is_regular_file(path / "case.json", ignored);
 }
 
-Result<SceneState> readCase(const fs::path& file, std::vector<std::string>* warnings) {
-    const fs::path json = caseJsonPath(file);
-    return guarded(json.string(), [&]() -> Result<SceneState> {
-        const auto text = readTextFile(json, kLargestFile);
-        if (!text) return fail(text.error());
-        const nlohmann::json tree = parse(*text, json.string());
-        JsonSource source{json.string(), {}};
-        SceneState scene;
-        scene.file = file;
-        readCaseJson(JsonCursor(tree, source), fs::absolute(json).lexically_normal().parent_path(), scene);
-        if (scene.name.empty()) scene.name = stemOfCase(file);
-        if (warnings) warnings->insert(warnings->end(), source.warnings.begin(), source.warnings.end());
-        return scene;
-    });
+Result<SceneState> readCase(const fs::path& file, std::vector<std::string>* warnings, UnsavedEdits unsaved) {
+    const fs::path place = casePlace(file);
+    const fs::path json = isCaseStore(place) ? caseJsonPath(place) : caseJsonPath(file);
+    const auto text = isCaseStore(place) ? readStore(place, warnings, unsaved) : readJson(json);
+    if (!text) return fail(text.error());
+    auto scene = sceneFromText(*text, json.string(), folderOf(json), warnings);
+    if (!scene) return scene;
+    scene->file = file;
+    if (scene->name.empty()) scene->name = stemOfCase(file);
+    return scene;
 }
 
 Status writeCase(const fs::path& file, const SceneState& scene) {
-    const fs::path json = caseJsonPath(file);
-    const Result<std::string> text = guarded(json.string(), [&]() -> Result<std::string> {
-        const fs::path folder = fs::absolute(json).lexically_normal().parent_path();
-        return prettyText(caseJson(scene, [&](const fs::path& path) {
-            const fs::path absolute = scene.resolve(path);
-            const fs::path relative = absolute.lexically_relative(folder);
-            return (relative.empty() ? absolute : relative).generic_string();
-        }));
-    });
-    if (!text) {
-        Error error = text.error();
-        error.code = ErrorCode::output;
-        return fail(error);
+    const fs::path place = casePlace(file);
+    if (isCaseStore(place)) {
+        auto store = CaseStore::open(place);
+        if (!store) return fail(store.error());
+        return (*store)->save(scene);
     }
+    const fs::path json = caseJsonPath(file);
+    const Result<std::string> text = textInFolder(scene, folderOf(json));
+    if (!text) return fail(text.error());
     return writeTextFile(json, *text);
 }
 
-std::string caseText(const SceneState& scene) {
-    return caseJson(scene, [](const fs::path& path) { return path.generic_string(); })
-        .dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+Result<std::pair<fs::path, std::string>> caseContent(const fs::path& file) {
+    const fs::path place = casePlace(file);
+    const fs::path json = caseJsonPath(isCaseStore(place) ? place : file);
+    if (isCaseStore(place)) {
+        const auto stored = readCaseStore(place);
+        if (!stored) return fail(stored.error());
+        if (stored->saved) {
+            Sha256 sha;
+            sha.add(*stored->saved);
+            const std::string hash = sha.hex();
+            const auto copy = sha256OfFile(json);
+            return std::pair(copy && *copy == hash ? json : place / "case.db", hash);
+        }
+    }
+    const auto hash = sha256OfFile(json);
+    if (!hash) return fail(hash.error());
+    return std::pair(json, *hash);
 }
 
 }  // namespace vestige

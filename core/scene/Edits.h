@@ -41,6 +41,9 @@ std::unique_ptr<SceneEdit> setCaseDetails(std::string name, std::string operator
 /// A view in scene metres, bound to no layer.
 std::unique_ptr<SceneEdit> setView(std::string name, ViewCamera camera);
 std::unique_ptr<SceneEdit> removeView(std::string name);
+/// Puts a whole case in place of the present one, as one step; its place (SceneState::file) and what is
+/// loaded of the files that both name stay.
+std::unique_ptr<SceneEdit> restoreState(SceneState state, std::string description);
 
 /// `wanted`, or with -2, -3, ... what no layer of the scene is called yet.
 std::string unusedLayerId(const SceneState& scene, const std::string& wanted);

@@ -8,11 +8,13 @@
 #include <string_view>
 #include <variant>
 
+#include "core/base/FileStamp.h"
 #include "core/base/Units.h"
 #include "core/geometry/Octree.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/io/FileInfo.h"
 #include "core/registration/RegistrationResult.h"
+#include "core/scene/FileEvidence.h"
 
 namespace vestige {
 
@@ -32,6 +34,7 @@ struct LayerData {
     std::shared_ptr<const Octree> octree;          ///< over `points`
     FileInfo info;
     std::string sha256;
+    FileStamp stamp;  ///< of the file when it was read
 };
 
 /// Where a layer's registration starts.
@@ -54,9 +57,10 @@ struct Layer {
     std::string id;    ///< unique in the case
     std::string name;  ///< for people; the id where the case gives none
     LayerRole role = LayerRole::aerial;
-    std::string method;              ///< the column its picks count for: "lidar", "photogrammetry"
-    std::filesystem::path path;      ///< absolute once read from a case
-    std::optional<LengthUnit> unit;  ///< nothing: recognised
+    std::string method;                    ///< the column its picks count for: "lidar", "photogrammetry"
+    std::filesystem::path path;            ///< absolute once read from a case
+    std::optional<FileEvidence> evidence;  ///< what the file is to be; nothing: not noted yet
+    std::optional<LengthUnit> unit;        ///< nothing: recognised
     InitialPoseSpec init;
     bool salvage = false;  ///< of a damaged file what is whole is read; someone has agreed to that
     bool visible = true;

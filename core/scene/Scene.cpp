@@ -114,6 +114,10 @@ void Scene::end() {
     if (changed_) changed_();
 }
 
+std::uint64_t Scene::step() const {
+    return history_->current();
+}
+
 bool Scene::modified() const {
     return history_->current() != history_->saved || (history_->group && !history_->group->empty());
 }

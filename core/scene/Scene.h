@@ -84,6 +84,8 @@ class Scene {
     void begin(std::string description);
     void end();
 
+    /// Number of the step that the state is after; 0: before the first. Numbers are given once.
+    std::uint64_t step() const;
     bool modified() const;
     void markSaved(std::filesystem::path file);
 

@@ -8,6 +8,7 @@ namespace vestige {
 
 class ActionCatalog;
 class Attempts;
+class Autosave;
 class Comparison;
 class Document;
 class DocumentPrinter;
@@ -40,6 +41,7 @@ struct Workbench {
     Evidence& evidence;
     RecentFiles& recent;
     std::unique_ptr<FileChooser>& chooser;  ///< may be exchanged while the window lives
+    std::unique_ptr<Autosave>& autosave;    ///< null where edits are not kept
     ViewRenderer* renderer;                 ///< safe to call from a job; may be null, as the printer
     DocumentPrinter* printer;
 };

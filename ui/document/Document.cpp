@@ -59,7 +59,12 @@ QString Document::title() const {
 }
 
 Status Document::save(const std::filesystem::path& file) {
-    if (Status written = writeCase(file, state()); !written) return written;
+    return saveWith(file, [&](const SceneState& scene) { return writeCase(file, scene); });
+}
+
+Status Document::saveWith(const std::filesystem::path& file,
+                          const std::function<Status(const SceneState&)>& write) {
+    if (Status written = write(state()); !written) return written;
     scene_.markSaved(file);
     return {};
 }

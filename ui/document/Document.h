@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "core/base/Result.h"
@@ -38,6 +39,10 @@ class Document : public QObject {
     QString title() const;
     /// Writes the case and notes `file` as its place.
     Status save(const std::filesystem::path& file);
+    /// The same with another way to write it.
+    Status saveWith(const std::filesystem::path& file, const std::function<Status(const SceneState&)>& write);
+    /// Of the history; see Scene.
+    std::uint64_t step() const { return scene_.step(); }
     /// Another case, with an empty history.
     void replace(SceneState state);
 

@@ -1,8 +1,12 @@
 #include "ui/document/Evidence.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/base/Hash.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
+#include "ui/document/Wording.h"
 #include "ui/jobs/JobRunner.h"
 
 namespace vestige {
@@ -20,9 +24,10 @@ Result<States> compare(const SceneState& scene, const JobControl& control) {
         step.progress(0, "Hashing " + layer.path.filename().string());
         const auto now = sha256OfFile(scene.resolve(layer.path), step);
         if (!now && now.error().code == ErrorCode::cancelled) return fail(now.error());
-        states[layer.id] = !now                         ? EvidenceState::missing
-                           : *now == layer.data->sha256 ? EvidenceState::unchanged
-                                                        : EvidenceState::changed;
+        const std::string& expected = layer.evidence ? layer.evidence->sha256 : layer.data->sha256;
+        states[layer.id] = !now               ? EvidenceState::missing
+                           : *now == expected ? EvidenceState::unchanged
+                                              : EvidenceState::changed;
     }
     return states;
 }
@@ -32,13 +37,52 @@ Result<States> compare(const SceneState& scene, const JobControl& control) {
 Evidence::Evidence(Document& document, JobRunner& jobs, Notices& notices, QObject* parent)
     : QObject(parent), document_(document), jobs_(jobs), notices_(notices) {
     connect(&document_, &Document::replaced, this, [this] { verified_.clear(); });
+    connect(&document_, &Document::changed, this, [this] { watchFiles(); });
+    connect(&watcher_, &QFileSystemWatcher::fileChanged, this,
+            [this](const QString& p) { onFileChanged(p); });
 }
 
 EvidenceState Evidence::stateOf(const std::string& layer) const {
     const auto found = verified_.find(layer);
     if (found != verified_.end()) return found->second;
     const Layer* known = document_.state().layer(layer);
-    return known && known->data ? EvidenceState::hashed : EvidenceState::notRead;
+    if (!known || !known->data) return EvidenceState::notRead;
+    return evidenceDifference(*known) ? EvidenceState::changed : EvidenceState::hashed;
+}
+
+void Evidence::watchFiles() {
+    QStringList wanted;
+    for (const Layer& layer : document_.state().layers)
+        if (layer.data) wanted << toQt(document_.state().resolve(layer.path));
+    const QStringList watched = watcher_.files();
+    QStringList gone, fresh;
+    std::copy_if(watched.begin(), watched.end(), std::back_inserter(gone),
+                 [&](const QString& path) { return !wanted.contains(path); });
+    std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(fresh),
+                 [&](const QString& path) { return !watched.contains(path); });
+    if (!gone.isEmpty()) watcher_.removePaths(gone);
+    if (!fresh.isEmpty()) watcher_.addPaths(fresh);
+}
+
+void Evidence::onFileChanged(const QString& path) {
+    for (const Layer& layer : document_.state().layers) {
+        const auto file = document_.state().resolve(layer.path);
+        if (!layer.data || toQt(file) != path) continue;
+        const auto now = stampOf(file);
+        if (now && *now == layer.data->stamp) continue;
+        const EvidenceState state = now ? EvidenceState::touched : EvidenceState::missing;
+        if (const auto known = verified_.find(layer.id); known != verified_.end() && known->second == state)
+            continue;
+        verified_[layer.id] = state;
+        notices_.warn(
+            (now ? tr("%1 was changed by another program after it was read (layer '%2'). The case still "
+                      "shows what was read; Verify evidence tells whether the content differs.")
+                 : tr("%1 is gone since it was read (layer '%2'). The case still shows what was read."))
+                .arg(path, QString::fromStdString(layer.id)));
+        emit changed();
+    }
+    // A file that was replaced has to be watched anew.
+    watchFiles();
 }
 
 void Evidence::verify() {

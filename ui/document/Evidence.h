@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <map>
 #include <string>
@@ -10,10 +11,12 @@ class Document;
 class JobRunner;
 class Notices;
 
-enum class EvidenceState { notRead, hashed, unchanged, changed, missing };
+/// `touched`: somebody has written to the file, or replaced it, since it was read here.
+enum class EvidenceState { notRead, hashed, unchanged, touched, changed, missing };
 
-/// Whether the files of the case are still those that were read: their SHA-256 when read against their
-/// SHA-256 now.
+/// Whether the files of the case are still those that became part of it: their SHA-256 then (or, where the
+/// case does not know it, when they were read) against their SHA-256 now. Files are watched while the case is
+/// open; one that changes is told.
 class Evidence : public QObject {
     Q_OBJECT
 
@@ -27,10 +30,14 @@ class Evidence : public QObject {
     void changed();
 
   private:
+    void watchFiles();
+    void onFileChanged(const QString& path);
+
     Document& document_;
     JobRunner& jobs_;
     Notices& notices_;
     std::map<std::string, EvidenceState> verified_;  ///< by layer id
+    QFileSystemWatcher watcher_;
 };
 
 }  // namespace vestige

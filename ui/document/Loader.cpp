@@ -1,8 +1,11 @@
 #include "ui/document/Loader.h"
 
+#include <algorithm>
+
 #include "core/pipeline/LoadLayers.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "ui/document/Autosave.h"
 #include "ui/document/Document.h"
 #include "ui/document/LayerDefaults.h"
 #include "ui/document/Notices.h"
@@ -16,7 +19,6 @@ struct Loaded {
     SceneState scene;
     std::vector<Layer> layers;
     std::vector<Error> problems;
-    std::vector<std::filesystem::path> unread;  ///< the files of the problems
     std::vector<std::string> remarks;
 };
 
@@ -27,16 +29,12 @@ Result<Loaded> readLayers(Loaded loaded, const JobControl& control) {
         Layer& layer = loaded.layers[i];
         const auto step = control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         step.progress(0, "Reading " + layer.path.filename().string());
-        auto data = loadLayerData(loaded.scene.resolve(layer.path), step, layer.salvage);
+        auto data = loadLayerData(loaded.scene.resolve(layer.path), step);
         if (!data && data.error().code == ErrorCode::cancelled) return fail(data.error());
-        if (!data) {
+        if (data)
+            layer.data = std::move(*data);
+        else
             loaded.problems.push_back(data.error());
-            loaded.unread.push_back(layer.path);
-            continue;
-        }
-        layer.data = std::move(*data);
-        if (const std::string& damage = layer.data->info.damage; !damage.empty())
-            loaded.remarks.push_back(layer.path.filename().string() + ": " + damage + ".");
     }
     return loaded;
 }
@@ -52,29 +50,70 @@ Loader::Loader(Document& document, JobRunner& jobs, Notices& notices, QObject* p
     : QObject(parent), document_(document), jobs_(jobs), notices_(notices) {}
 
 Status Loader::openCase(const std::filesystem::path& file) {
+    std::shared_ptr<CaseSession> session = autosave_ ? autosave_->open(file) : nullptr;
     std::vector<std::string> remarks;
-    auto scene = readCase(file, &remarks);
+    auto scene = readCase(file, &remarks, session ? UnsavedEdits::passedOver : UnsavedEdits::told);
     if (!scene) return fail(scene.error());
+    scene->file = file;
+    return load(std::move(session), std::move(*scene), remarks);
+}
+
+Status Loader::recover(const Abandoned& abandoned) {
+    const std::filesystem::path file = abandoned.content.caseFile;
+    std::error_code unknown;
+    if (!file.empty() && std::filesystem::exists(file, unknown)) return openCase(file);
+    if (!autosave_) return {};
+    return load(autosave_->takeOver(abandoned), SceneState(), {});
+}
+
+Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
+                    const std::vector<std::string>& remarks) {
     problems_.clear();
-    tintApart(scene->layers);
-    auto layers = scene->layers;
+    tintApart(saved.layers);
+    std::optional<Recovered> unsaved;
+    if (session) unsaved = session->takeRecovered();
+    Loaded request;
+    request.remarks = remarks;
+    request.layers = saved.layers;
+    // Undoing the recovery leads back to the saved case, so both need their files.
+    if (unsaved)
+        for (const Layer& layer : unsaved->state.layers)
+            if (std::none_of(request.layers.begin(), request.layers.end(),
+                             [&](const Layer& other) { return other.path == layer.path; }))
+                request.layers.push_back(layer);
+    const QString title =
+        saved.file.empty() ? tr("Recovering a case") : tr("Opening %1").arg(toQt(saved.file.filename()));
+    const std::filesystem::path file = saved.file;
+    request.scene = std::move(saved);
     jobs_.run<Loaded>(
-        tr("Opening %1").arg(toQt(file.filename())),
-        [loaded = Loaded{std::move(*scene), std::move(layers), {}, {}, std::move(remarks)}](
-            const JobControl& control) { return readLayers(loaded, control); },
-        [this, file](Result<Loaded> loaded) {
+        title, [request](const JobControl& control) { return readLayers(request, control); },
+        [this, file, session, unsaved](Result<Loaded> loaded) {
             if (!loaded) return tell({loaded.error()});
-            loaded->scene.layers = std::move(loaded->layers);
-            loaded->scene.file = file;
+            const auto giveData = [&](SceneState& scene) {
+                for (Layer& layer : scene.layers) {
+                    for (const Layer& read : loaded->layers)
+                        if (read.path == layer.path) layer.data = read.data;
+                    noteEvidence(layer);
+                }
+            };
+            giveData(loaded->scene);
+            std::optional<Recovered> edits = unsaved;
+            if (edits) giveData(edits->state);
+            if (autosave_ && session) autosave_->follow(session);
             document_.replace(std::move(loaded->scene));
+            if (edits && document_.perform(restoreState(std::move(edits->state), "recover unsaved changes")))
+                emit recovered(QString::fromStdString(edits->sentence));
             remark(loaded->remarks);
+            for (const Layer& layer : document_.state().layers)
+                if (const auto difference = evidenceDifference(layer))
+                    notices_.failed({ErrorCode::input, *difference, {}, {}});
             tell(loaded->problems);
-            emit opened(toQt(file));
+            if (!file.empty()) emit opened(toQt(file));
         });
     return firstOf(problems_);
 }
 
-Status Loader::addFiles(const std::vector<std::filesystem::path>& files, bool salvage) {
+Status Loader::addFiles(const std::vector<std::filesystem::path>& files) {
     if (files.empty()) return {};
     problems_.clear();
     Loaded request;
@@ -82,7 +121,6 @@ Status Loader::addFiles(const std::vector<std::filesystem::path>& files, bool sa
     for (const auto& file : files) {
         Layer layer;
         layer.path = std::filesystem::absolute(file).lexically_normal();
-        layer.salvage = salvage;
         request.layers.push_back(std::move(layer));
     }
     const QString what =
@@ -94,15 +132,14 @@ Status Loader::addFiles(const std::vector<std::filesystem::path>& files, bool sa
             if (!loaded) return loaded;
             std::erase_if(loaded->layers, [](const Layer& layer) { return !layer.data; });
             nameLayers(loaded->layers, loaded->scene);
-            for (const std::string& sentence : recogniseUnits(loaded->layers, loaded->scene))
-                loaded->remarks.push_back(sentence);
+            loaded->remarks = recogniseUnits(loaded->layers, loaded->scene);
             return loaded;
         },
         [this](Result<Loaded> loaded) {
             if (!loaded) return tell({loaded.error()});
             enter(loaded->layers);
             remark(loaded->remarks);
-            tellOfFiles(loaded->problems, loaded->unread);
+            tell(loaded->problems);
             for (const Layer& layer : loaded->layers) emit opened(toQt(layer.path));
         });
     return firstOf(problems_);
@@ -113,7 +150,10 @@ void Loader::enter(const std::vector<Layer>& layers) {
     QStringList names;
     for (const Layer& layer : layers) names << QString::fromStdString(layer.name);
     document_.begin(tr("add %1").arg(names.join(", ")));
-    for (const Layer& layer : layers) document_.perform(addLayer(layer));
+    for (Layer layer : layers) {
+        noteEvidence(layer);
+        document_.perform(addLayer(std::move(layer)));
+    }
     if (document_.state().target.empty()) document_.perform(setTarget(layers.front().id));
     document_.end();
 }
@@ -122,19 +162,6 @@ void Loader::remark(const std::vector<std::string>& remarks) {
     QStringList sentences;
     for (const std::string& sentence : remarks) sentences << QString::fromStdString(sentence);
     if (!sentences.isEmpty()) notices_.inform(sentences.join("\n"));
-}
-
-void Loader::tellOfFiles(const std::vector<Error>& problems,
-                         const std::vector<std::filesystem::path>& files) {
-    problems_ = problems;
-    for (std::size_t i = 0; i < problems.size(); ++i) {
-        if (!problems[i].salvageable) {
-            notices_.failed(problems[i]);
-            continue;
-        }
-        notices_.offer(problems[i], tr("Load what is whole"),
-                       [this, file = files[i]] { static_cast<void>(addFiles({file}, true)); });
-    }
 }
 
 void Loader::tell(const std::vector<Error>& problems) {

@@ -17,6 +17,8 @@ class Notices : public QObject {
     void inform(const QString& sentence) { emit informed(sentence); }
     /// Offers to open `path` beside the sentence.
     void informOf(const QString& sentence, const QString& path) { emit informedOf(sentence, path); }
+    /// Stays until it is closed.
+    void warn(const QString& sentence) { emit warned(sentence); }
     /// A cancelled job is no failure and is not shown as one.
     void failed(const Error& error) {
         if (error.code == ErrorCode::cancelled)

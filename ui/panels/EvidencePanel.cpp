@@ -18,6 +18,8 @@ QString wordFor(EvidenceState state) {
             return QObject::tr("hashed");
         case EvidenceState::unchanged:
             return QObject::tr("unchanged");
+        case EvidenceState::touched:
+            return QObject::tr("touched");
         case EvidenceState::changed:
             return QObject::tr("changed");
         case EvidenceState::missing:
@@ -28,7 +30,8 @@ QString wordFor(EvidenceState state) {
 
 QColor colorFor(EvidenceState state) {
     if (state == EvidenceState::unchanged) return {0x8f, 0xd9, 0xae};
-    if (state == EvidenceState::changed || state == EvidenceState::missing) return {0xf0, 0x8a, 0x7a};
+    if (state == EvidenceState::changed || state == EvidenceState::missing || state == EvidenceState::touched)
+        return {0xf0, 0x8a, 0x7a};
     return {0x8b, 0x96, 0xa3};
 }
 
@@ -60,6 +63,8 @@ void EvidencePanel::fill() {
         row->setForeground(1, colorFor(state));
         QString tip = toQt(layer.path);
         if (layer.data) tip += "\nSHA-256 " + QString::fromStdString(layer.data->sha256);
+        if (const auto difference = evidenceDifference(layer))
+            tip += "\n" + QString::fromStdString(*difference);
         row->setToolTip(0, tip);
         row->setToolTip(1, tip);
         tree.addTopLevelItem(row);

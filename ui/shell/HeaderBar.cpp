@@ -46,6 +46,12 @@ HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* 
     saved_->setProperty("role", "muted");
     saved_->setContentsMargins(8, 0, 0, 0);
     addWidget(title_);
+    auto* readOnly = new QLabel(tr("read-only"));
+    readOnly->setObjectName("read-only");
+    readOnly->setProperty("role", "trouble");
+    readOnly->setContentsMargins(8, 0, 0, 0);
+    readOnly_ = addWidget(readOnly);
+    readOnly_->setVisible(false);
     addWidget(saved_);
     auto* right = new QWidget;
     auto* row = new QHBoxLayout(right);
@@ -60,6 +66,11 @@ HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* 
     addWidget(right);
     connect(&document_, &Document::changed, this, [this] { follow(); });
     follow();
+}
+
+void HeaderBar::showReadOnly(const QString& reason) {
+    readOnly_->setVisible(!reason.isEmpty());
+    widgetForAction(readOnly_)->setToolTip(reason);
 }
 
 void HeaderBar::follow() {

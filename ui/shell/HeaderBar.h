@@ -18,12 +18,16 @@ class HeaderBar : public QToolBar {
   public:
     HeaderBar(const ActionCatalog& actions, Document& document, QWidget* parent = nullptr);
 
+    /// Why the case cannot be saved where it is; empty: it can.
+    void showReadOnly(const QString& reason);
+
   private:
     void follow();
 
     Document& document_;
     QLabel* title_;
     QLabel* saved_;
+    QAction* readOnly_;
 };
 
 }  // namespace vestige

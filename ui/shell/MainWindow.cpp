@@ -20,6 +20,7 @@
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
 #include "ui/document/Attempts.h"
+#include "ui/document/Autosave.h"
 #include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
@@ -35,6 +36,7 @@
 #include "ui/shell/GuiThreadRenderer.h"
 #include "ui/shell/HeaderBar.h"
 #include "ui/shell/RecentMenu.h"
+#include "ui/shell/RecoveryBar.h"
 #include "ui/shell/ScenePresenter.h"
 #include "ui/shell/StatusStrip.h"
 #include "ui/shell/Theme.h"
@@ -62,9 +64,9 @@ struct MainWindow::Private {
               ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts}, *jobs,
               *view)),
           tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, notices, *view)),
-          bench{window,  actions,           document,     selection, presentation, preview,  comparison,
-                trace,   attempts,          *jobs,        notices,   loader,       evidence, recent,
-                chooser, onGuiThread.get(), printer.get()},
+          bench{window,     actions, document, selection, presentation,      preview,
+                comparison, trace,   attempts, *jobs,     notices,           loader,
+                evidence,   recent,  chooser,  autosave,  onGuiThread.get(), printer.get()},
           files(bench),
           edits(bench),
           registration(bench),
@@ -85,6 +87,7 @@ struct MainWindow::Private {
     Attempts attempts{document, preview};
     Notices notices;
     RecentFiles recent;
+    std::unique_ptr<Autosave> autosave;
     std::unique_ptr<JobRunner> jobs;
     ActionCatalog actions;
     Loader loader;
@@ -99,6 +102,9 @@ struct MainWindow::Private {
     CompareReactions compares;
     ViewReactions views;
     ExportReactions exports;
+    HeaderBar* header = nullptr;
+    WorkArea* area = nullptr;
+    StatusStrip* status = nullptr;
 };
 
 MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<ViewRenderer> renderer,
@@ -126,12 +132,15 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     auto* recent = new RecentMenu(d.recent, this);
     connect(recent, &RecentMenu::chosen, this, [this](const QString& path) { open({path}); });
     menuBar()->findChild<QMenu*>("file")->insertMenu(&d.actions["file.save"], recent);
-    addToolBar(new HeaderBar(d.actions, d.document, this));
+    d.header = new HeaderBar(d.actions, d.document, this);
+    addToolBar(d.header);
 
     auto* area = new WorkArea(d.bench, *d.view, *d.tools);
     connect(area, &WorkArea::chosen, this, [this](const QString& path) { open({path}); });
     setCentralWidget(area);
+    d.area = area;
     auto* status = new StatusStrip(d.document, *d.jobs);
+    d.status = status;
     connect(d.tools.get(), &ToolSwitch::hovered, status, &StatusStrip::showCoordinates);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addPermanentWidget(status, 1);
@@ -176,6 +185,30 @@ void MainWindow::open(const QStringList& paths) {
     d_->files.open(paths);
 }
 
+void MainWindow::keepEdits(const std::filesystem::path& folder) {
+    Private& d = *d_;
+    d.autosave = std::make_unique<Autosave>(d.document, folder);
+    d.loader.setAutosave(d.autosave.get());
+    auto* bar = new RecoveryBar(*d.autosave, d.loader, [this] { return d_->files.mayLeave(); });
+    d.area->addBar(bar);
+    connect(d.autosave.get(), &Autosave::changed, this, [this] {
+        const auto state = d_->autosave->state();
+        d_->status->showAutosave(d_->autosave->text(),
+                                 state == Autosave::State::failed || state == Autosave::State::elsewhere);
+        d_->header->showReadOnly(d_->autosave->readOnly());
+    });
+    connect(d.autosave.get(), &Autosave::troubled, &d.notices, &Notices::warn);
+    connect(&d.loader, &Loader::opened, this, [this] {
+        if (const QString reason = d_->autosave->readOnly(); !reason.isEmpty())
+            d_->notices.warn(tr("Read-only: %1.").arg(reason));
+    });
+    bar->offerAbandoned();
+}
+
+Autosave* MainWindow::autosave() {
+    return d_->autosave.get();
+}
+
 void MainWindow::setTheme(Theme theme) {
     d_->presentation.setTheme(theme);
 }
@@ -210,7 +243,9 @@ void MainWindow::setFileChooser(std::unique_ptr<FileChooser> chooser) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(d_->files.mayLeave());
-    if (event->isAccepted()) d_->jobs->cancel();
+    if (!event->isAccepted()) return;
+    d_->jobs->cancel();
+    if (d_->autosave) d_->autosave->end();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -12,6 +12,7 @@
 
 namespace vestige {
 
+class Autosave;
 class Document;
 class FileChooser;
 class SceneView;
@@ -36,6 +37,10 @@ class MainWindow : public QMainWindow {
     /// Paths of either kind, as a command line or a drop gives them; problems are told in the window.
     void open(const QStringList& paths);
 
+    /// From now on edits are kept as they are made, cases are taken for this window, and what earlier windows
+    /// left behind is offered. `folder`: the user's own, for edits that cannot be kept with their case.
+    void keepEdits(const std::filesystem::path& folder);
+
     /// For this window alone; what the user switches is stored for the next one.
     void setTheme(Theme theme);
     void setOverlay(Overlay overlay);
@@ -45,6 +50,8 @@ class MainWindow : public QMainWindow {
     Document& document();
     SceneView& view();
     JobRunner& jobs();
+    /// Null before keepEdits.
+    Autosave* autosave();
     /// Answers questions for files in place of the dialogs.
     void setFileChooser(std::unique_ptr<FileChooser> chooser);
 

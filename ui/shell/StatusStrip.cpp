@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStyle>
 
 #include "ui/document/Document.h"
 #include "ui/document/Wording.h"
@@ -20,6 +21,7 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
       percent_(new QLabel),
       cancel_(new QPushButton(tr("Cancel"))),
       message_(new QLabel),
+      autosave_(new QLabel),
       coordinates_(new QLabel),
       layer_(new QLabel) {
     auto* row = new QHBoxLayout(this);
@@ -44,6 +46,9 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
     // A long sentence gives way to the rest of the strip.
     message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(message_, 1);
+    autosave_->setObjectName("autosave");
+    autosave_->setProperty("role", "muted");
+    row->addWidget(autosave_);
     row->addWidget(coordinates_);
     row->addWidget(layer_);
     connect(cancel_, &QPushButton::clicked, this, [this] {
@@ -90,6 +95,14 @@ void StatusStrip::showIdle() {
     job_->setText(layers == 0   ? tr("Ready")
                   : layers == 1 ? tr("%1 points in one layer").arg(countText(points))
                                 : tr("%1 points in %2 layers").arg(countText(points)).arg(layers));
+}
+
+void StatusStrip::showAutosave(const QString& text, bool trouble) {
+    autosave_->setText(text);
+    autosave_->setToolTip(text);
+    autosave_->setProperty("role", trouble ? "trouble" : "muted");
+    autosave_->style()->unpolish(autosave_);
+    autosave_->style()->polish(autosave_);
 }
 
 void StatusStrip::showCoordinates(const QString& coordinates, const QString& layer) {

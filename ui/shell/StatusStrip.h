@@ -17,6 +17,8 @@ class StatusStrip : public QWidget {
 
   public:
     StatusStrip(Document& document, JobRunner& jobs, QWidget* parent = nullptr);
+    /// Whether edits are kept; a trouble stands out.
+    void showAutosave(const QString& text, bool trouble);
     void showCoordinates(const QString& coordinates, const QString& layer);
 
   private:
@@ -29,6 +31,7 @@ class StatusStrip : public QWidget {
     QLabel* percent_;
     QPushButton* cancel_;
     QLabel* message_;  ///< what the running job has to say: a neighbourhood's radius, a file that is skipped
+    QLabel* autosave_;
     QLabel* coordinates_;
     QLabel* layer_;
     QString title_;

@@ -46,6 +46,7 @@ constexpr StyleColor kColors[] = {
     {"box", "#485461", "#98a2ae"},
     {"scroll-hover", "#475361", "#98a2ae"},
     {"accent-hover", "#3f7ff0", "#2f6fe4"},
+    {"trouble", "#f0a08a", "#9c3414"},
     {"warning", "#3a2620", "#fdeede"},
     {"tip-edge", "#36404b", "#c3cbd5"},
     {"notice-edge", "#2b4270", "#a9c4f2"},

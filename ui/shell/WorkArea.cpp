@@ -40,6 +40,7 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     : QWidget(parent), bench_(bench), view_(view), tools_(tools) {
     auto* column = columnIn(this);
     column->addWidget(new NoticeBar(bench_.notices));
+    column_ = column;
     auto* splitter = new QSplitter(Qt::Horizontal);
     splitter->setHandleWidth(1);
     splitter->setChildrenCollapsible(false);
@@ -51,6 +52,10 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     splitter->setStretchFactor(2, 0);
     splitter->setSizes({240, 742, 418});
     column->addWidget(splitter, 1);
+}
+
+void WorkArea::addBar(QWidget* bar) {
+    column_->insertWidget(0, bar);
 }
 
 QWidget* WorkArea::makeLeft() {

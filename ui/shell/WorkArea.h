@@ -5,6 +5,7 @@
 #include "ui/actions/Workbench.h"
 
 class QSplitter;
+class QVBoxLayout;
 
 namespace vestige {
 
@@ -19,6 +20,9 @@ class WorkArea : public QWidget {
   public:
     WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, QWidget* parent = nullptr);
 
+    /// One more above the view.
+    void addBar(QWidget* bar);
+
   signals:
     /// A recent file was chosen.
     void chosen(const QString& path);
@@ -31,6 +35,7 @@ class WorkArea : public QWidget {
     Workbench bench_;
     SceneView& view_;
     ToolSwitch& tools_;
+    QVBoxLayout* column_ = nullptr;
 };
 
 }  // namespace vestige

@@ -1,6 +1,7 @@
 #include "core/base/Hash.h"
 #include "core/pipeline/LoadLayers.h"
 #include "core/pipeline/ReconstructRun.h"
+#include "core/scene/CaseFile.h"
 
 namespace vestige {
 namespace {
@@ -13,10 +14,11 @@ Status hashSideFiles(ReconstructRun& run) {
         run.inputs.push_back({what, file, *hash});
         return {};
     };
-    const auto& file = run.scene.file;
-    const auto caseFile = std::filesystem::is_directory(file) ? file / "case.json" : file;
-    if (!file.empty() && std::filesystem::is_regular_file(caseFile))
-        if (const Status added = add("case", caseFile); !added) return added;
+    if (const auto& file = run.scene.file; !file.empty()) {
+        // A case that was not saved yet has none.
+        if (const auto content = caseContent(file))
+            run.inputs.push_back({"case", content->first, content->second});
+    }
     for (const Layer& layer : run.scene.layers)
         if (const auto* picks = std::get_if<InitPicks>(&layer.init))
             if (const Status added = add("picks of " + layer.id, run.scene.resolve(picks->picks)); !added)
@@ -41,6 +43,10 @@ Status loadStage(ReconstructRun& run, const JobControl& control) {
             layers[i].data = std::move(*data);
         }
         run.inputs.push_back({"layer " + layers[i].id, file, layers[i].data->sha256});
+        if (const auto difference = evidenceDifference(layers[i])) {
+            run.warnings.push_back(*difference);
+            control.message("warning: " + run.warnings.back());
+        }
         for (const auto& warning : layers[i].data->info.warnings) {
             run.warnings.push_back(file.filename().string() + ": " + warning);
             control.message(run.warnings.back());

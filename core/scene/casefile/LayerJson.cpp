@@ -59,6 +59,22 @@ std::optional<LengthUnit> readUnit(const JsonCursor& cursor) {
     return unit;
 }
 
+std::optional<FileEvidence> readEvidence(const JsonCursor& layer) {
+    const auto hash = layer.find("sha256");
+    if (!hash) return std::nullopt;
+    FileEvidence evidence{hash->text(), 0, {}};
+    for (char& digit : evidence.sha256)
+        if (digit >= 'A' && digit <= 'F') digit = static_cast<char>(digit - 'A' + 'a');
+    if (evidence.sha256.size() != 64 ||
+        evidence.sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
+        hash->reject("this is no SHA-256", "expected 64 hexadecimal digits");
+    constexpr std::int64_t kLargest = std::int64_t{1} << 53;
+    if (const auto bytes = layer.find("bytes"))
+        evidence.bytes = static_cast<std::uint64_t>(bytes->integer(0, kLargest));
+    if (const auto modified = layer.find("modified")) evidence.modified = modified->text();
+    return evidence;
+}
+
 LayerRole readRole(const JsonCursor& cursor) {
     const std::string text = cursor.text();
     const auto role = layerRoleFromName(text);
@@ -74,6 +90,11 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
               {"role", name(layer.role)},
               {"method", layer.method},
               {"path", pathText(layer.path)}};
+    if (layer.evidence) {
+        json["sha256"] = layer.evidence->sha256;
+        json["bytes"] = layer.evidence->bytes;
+        if (!layer.evidence->modified.empty()) json["modified"] = layer.evidence->modified;
+    }
     if (layer.unit) json["unit"] = symbol(*layer.unit);
     if (!std::holds_alternative<InitIdentity>(layer.init)) json["init"] = initJson(layer.init, pathText);
     if (layer.salvage) json["salvage"] = true;
@@ -84,8 +105,8 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
 }
 
 Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
-    cursor.warnOfOthers({"id", "name", "role", "method", "path", "unit", "init", "salvage", "visible", "tint",
-                         "registration"});
+    cursor.warnOfOthers({"id", "name", "role", "method", "path", "sha256", "bytes", "modified", "unit",
+                         "init", "salvage", "visible", "tint", "registration"});
     Layer layer;
     layer.id = cursor.at("id").name();
     layer.role = readRole(cursor.at("role"));
@@ -94,6 +115,7 @@ Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesyst
     layer.name = shownName ? shownName->text() : layer.id;
     const auto method = cursor.find("method");
     layer.method = method ? method->name() : std::string(defaultMethod(layer.role));
+    layer.evidence = readEvidence(cursor);
     if (const auto unit = cursor.find("unit")) layer.unit = readUnit(*unit);
     if (const auto init = cursor.find("init")) layer.init = readInit(*init, layer, folder);
     if (const auto salvage = cursor.find("salvage")) layer.salvage = salvage->boolean();

@@ -3,6 +3,7 @@
 #include "core/scene/CaseFile.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/actions/FileChooser.h"
+#include "ui/document/Autosave.h"
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
 #include "ui/document/Loader.h"
@@ -56,6 +57,11 @@ void FileReactions::open(const QStringList& paths) {
 
 bool FileReactions::save() {
     const auto& file = bench_.document.state().file;
+    if (bench_.autosave && !bench_.autosave->readOnly().isEmpty()) {
+        bench_.notices.inform(
+            tr("This case cannot be saved here: %1. Choose another name.").arg(bench_.autosave->readOnly()));
+        return saveAs();
+    }
     return file.empty() ? saveAs() : saveTo(file);
 }
 
@@ -69,7 +75,7 @@ bool FileReactions::saveAs() {
 }
 
 bool FileReactions::saveTo(const std::filesystem::path& file) {
-    const Status saved = bench_.document.save(file);
+    const Status saved = bench_.autosave ? bench_.autosave->save(file) : bench_.document.save(file);
     told(saved);
     if (saved) bench_.recent.add(toQt(file));
     return saved.has_value();
