@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/FilePart.h"
 #include "app/cli/ParameterJson.h"
 #include "app/cli/Session.h"
 #include "core/base/Numbers.h"
@@ -18,6 +19,7 @@ struct Options {
     std::string in;
     std::string out;
     std::string unit = "m";
+    FilePart part;
     ParameterSet parameters{preprocessParameters()};
 };
 
@@ -27,7 +29,8 @@ int runPreprocess(Session& session, const Options& options) {
     if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
         return session.failed(target.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> loaded = readGeometry(options.in, control.sub(0, 0.3));
+    const Result<LoadedGeometry> loaded =
+        readPart(options.in, options.part, ReadOptions::Attributes::all, control.sub(0, 0.3));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
@@ -70,6 +73,7 @@ Run declarePreprocess(CLI::App& command) {
             "--unit", options->unit,
             "Unit of the coordinates in IN and OUT, m or mm; all other lengths are metres. Default: m.")
         ->check(CLI::IsMember({"m", "mm"}));
+    addPartOptions(command, options->part);
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runPreprocess(session, *options); };
 }

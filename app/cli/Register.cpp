@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/FilePart.h"
 #include "app/cli/Session.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct Options {
     std::string target;
+    FilePart part;
     std::string source;
     std::string poseOut;
     std::string init = "identity";
@@ -129,9 +131,13 @@ int runRegister(Session& session, const Options& options) {
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> target = readGeometry(options.target, control.sub(0, 0.2));
+    const Result<LoadedGeometry> target =
+        readPart(options.target, options.part, ReadOptions::Attributes::drawn, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
-    const Result<LoadedGeometry> source = readGeometry(options.source, control.sub(0.2, 0.4));
+    const Result<LoadedGeometry> source =
+        readPart(options.source, {options.part.every, std::nullopt},
+                 options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
+                 control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
     const Result<Start> start = startFrom(options, target->geometry, source->geometry, control.sub(0.4, 0.6));
     if (!start) return failed(session, options, start.error(), {});
@@ -177,6 +183,7 @@ Run declareRegister(CLI::App& command) {
             return text == "auto" || lengthUnitFromSymbol(text) ? std::string() : "expected m, mm or auto";
         });
     command.add_option("--aligned", options->aligned, "File for the source's points in the target's frame");
+    addPartOptions(command, options->part, "TARGET");
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runRegister(session, *options); };
 }

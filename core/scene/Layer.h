@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <variant>
 
 #include "core/base/Units.h"
+#include "core/geometry/BoundingBox.h"
 #include "core/geometry/Octree.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/io/FileInfo.h"
@@ -32,6 +34,11 @@ struct LayerData {
     std::shared_ptr<const Octree> octree;          ///< over `points`
     FileInfo info;
     std::string sha256;
+    /// Of a first look at a large file: how many points are still being read. `points` are some of them,
+    /// spread over the file and exact; there is no sha256 yet. 0: these are all.
+    std::uint64_t awaitedPoints = 0;
+
+    bool isPreview() const { return awaitedPoints > 0; }
 };
 
 /// Where a layer's registration starts.
@@ -57,6 +64,8 @@ struct Layer {
     std::string method;              ///< the column its picks count for: "lidar", "photogrammetry"
     std::filesystem::path path;      ///< absolute once read from a case
     std::optional<LengthUnit> unit;  ///< nothing: recognised
+    std::uint32_t keepEvery = 1;     ///< of the file's points every k-th is loaded, the first included
+    std::optional<BoundingBox> box;  ///< only what lies in it is loaded; in the file's own unit and frame
     InitialPoseSpec init;
     bool visible = true;
     std::array<std::uint8_t, 3> tint{160, 180, 200};  ///< colour by source
@@ -64,6 +73,8 @@ struct Layer {
     std::shared_ptr<const LayerData> data;           ///< null until loaded
     std::optional<RegistrationResult> registration;  ///< null until registered
 
+    /// Whether only a part of the file is loaded, because the case says so.
+    bool isThinned() const { return keepEvery > 1 || box.has_value(); }
     /// Metres in the layer's own frame from file units (the unit given, else metres).
     double metresPerUnit() const { return metresPer(unit.value_or(LengthUnit::metre)); }
 };

@@ -91,11 +91,16 @@ class Scene {
     /// the history; layers that are gone are ignored.
     void attachData(std::string_view layer, std::shared_ptr<const LayerData> data);
 
-    /// Called after every change (perform, undo, redo, markSaved, attachData).
+    /// Puts `now` in the place of `before` (a preview), wherever the document holds it: in layers that are
+    /// there and in those that undo and redo bring back. Not in the history either.
+    void replaceData(const std::shared_ptr<const LayerData>& before, std::shared_ptr<const LayerData> now);
+
+    /// Called after every change (perform, undo, redo, markSaved, attachData, replaceData).
     void onChange(std::function<void()> handler) { changed_ = std::move(handler); }
 
   private:
     struct History;
+    void takeNewerData();
     SceneState state_;
     std::unique_ptr<History> history_;
     std::function<void()> changed_;

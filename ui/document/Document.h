@@ -38,6 +38,9 @@ class Document : public QObject {
     QString title() const;
     /// Writes the case and notes `file` as its place.
     Status save(const std::filesystem::path& file);
+    /// What was read for a layer, and what takes the place of a preview; see Scene.
+    void attachData(const std::string& layer, std::shared_ptr<const LayerData> data);
+    void replaceData(const std::shared_ptr<const LayerData>& before, std::shared_ptr<const LayerData> now);
     /// Another case, with an empty history.
     void replace(SceneState state);
 

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "core/base/Result.h"
@@ -12,8 +13,13 @@ namespace vestige {
 class Document;
 class JobRunner;
 class Notices;
+struct Arrival;
+struct Progress;
+struct TooLarge;
 
-/// Brings cases and files into the document: reads on the job runner, enters the result on the GUI thread.
+/// Brings cases and files into the document: reads on the job runner, enters the result on the GUI thread. Of
+/// large files some points are shown while the rest is read. Files that do not fit into memory are told with
+/// offers to load a part.
 class Loader : public QObject {
     Q_OBJECT
 
@@ -24,7 +30,8 @@ class Loader : public QObject {
     /// data and is told; the error of an unreadable case is returned at once. With an inline runner
     /// everything is loaded on return and the first error of a layer is returned, too.
     Status openCase(const std::filesystem::path& file);
-    /// Adds clouds and meshes as layers, in one step of the history. Returns like openCase.
+    /// Adds clouds and meshes as layers, in one step of the history (large ones in one before the others).
+    /// Returns like openCase. Cancelled, the layers are taken back.
     Status addFiles(const std::vector<std::filesystem::path>& files);
 
   signals:
@@ -32,14 +39,22 @@ class Loader : public QObject {
     void opened(const QString& path);
 
   private:
+    void add(std::vector<Layer> layers);
+    void readAgain(const Layer& layer);
     void enter(const std::vector<Layer>& layers);
+    void take(const std::vector<Arrival>& arrivals);
+    void dropPreviews(bool takeBack);
     void remark(const std::vector<std::string>& remarks);
-    void tell(const std::vector<Error>& problems);
+    void tell(const std::vector<Error>& problems, const std::vector<TooLarge>& tooLarge);
+    void offer(const TooLarge& tooLarge);
 
     Document& document_;
     JobRunner& jobs_;
     Notices& notices_;
     std::vector<Error> problems_;  ///< of the job that was delivered last
+    int replacements_ = 0;         ///< of the document: what was asked for an earlier one is not entered
+    std::vector<std::shared_ptr<const LayerData>> previews_;  ///< shown, their whole is awaited
+    QString addStep_;                                         ///< the step of the history that added them
 };
 
 }  // namespace vestige

@@ -2,6 +2,8 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <vector>
 
 #include "core/base/Error.h"
 
@@ -12,10 +14,18 @@ class Notices : public QObject {
     Q_OBJECT
 
   public:
+    /// What can be done about it.
+    struct Offer {
+        QString text;
+        std::function<void()> take;
+    };
+
     using QObject::QObject;
     void inform(const QString& sentence) { emit informed(sentence); }
     /// Offers to open `path` beside the sentence.
     void informOf(const QString& sentence, const QString& path) { emit informedOf(sentence, path); }
+    /// A sentence with buttons; it stays until one is pressed or it is closed.
+    void offer(const QString& sentence, const std::vector<Offer>& offers) { emit offered(sentence, offers); }
     /// A cancelled job is no failure and is not shown as one.
     void failed(const Error& error) {
         if (error.code == ErrorCode::cancelled)
@@ -27,6 +37,7 @@ class Notices : public QObject {
   signals:
     void informed(const QString& sentence);
     void informedOf(const QString& sentence, const QString& path);
+    void offered(const QString& sentence, const std::vector<vestige::Notices::Offer>& offers);
     void warned(const QString& sentence);
 };
 

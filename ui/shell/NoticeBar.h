@@ -2,13 +2,14 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <vector>
+
+#include "ui/document/Notices.h"
 
 class QLabel;
 class QToolButton;
 
 namespace vestige {
-
-class Notices;
 
 /// One sentence above the view; warnings stay until closed, others go by themselves.
 class NoticeBar : public QWidget {
@@ -20,9 +21,11 @@ class NoticeBar : public QWidget {
 
   private:
     void show(const QString& sentence, bool warning, const QString& path);
+    void offer(const QString& sentence, const std::vector<Notices::Offer>& offers);
 
     QLabel* text_;
     QToolButton* open_;
+    QWidget* offers_;  ///< a button for each
     QString path_;
     QTimer hide_;
 };

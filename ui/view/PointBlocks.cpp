@@ -37,14 +37,14 @@ double typicalSpacing(const Octree& octree) {
     return steps.empty() ? 0 : steps.quantile(0.5) / kStepPerSpacing;
 }
 
-double wideSpacing(const Octree& octree, std::uint32_t begin, std::uint32_t end) {
+double medianSpacing(const Octree& octree, std::uint32_t begin, std::uint32_t end) {
     if (end - begin < 2) return 0;
     const std::uint32_t count = std::min(kStepsSampled, end - begin - 1);
     std::vector<double> steps(count);
     for (std::uint32_t i = 0; i < count; ++i)
         steps[i] =
             stepAt(octree, begin + static_cast<std::uint32_t>(std::uint64_t{i} * (end - begin - 1) / count));
-    const auto place = steps.begin() + 3 * (count - 1) / 4;
+    const auto place = steps.begin() + count / 2;
     std::nth_element(steps.begin(), place, steps.end());
     return *place / kStepPerSpacing;
 }
@@ -105,7 +105,7 @@ PointBlocks::PointBlocks(std::shared_ptr<const Octree> octree, const Similarity&
             block.begin = static_cast<std::uint32_t>(i * kSize);
             block.end = static_cast<std::uint32_t>(std::min<std::size_t>(count, (i + 1) * kSize));
             block.box = RangeBox(*octree_, block.begin, block.end).placed(worldFromLayer);
-            block.spacing_m = worldFromLayer.scale * wideSpacing(*octree_, block.begin, block.end);
+            block.spacing_m = worldFromLayer.scale * medianSpacing(*octree_, block.begin, block.end);
         }
     });
     spacing_m_ = worldFromLayer.scale * typicalSpacing(*octree_);

@@ -14,7 +14,7 @@ struct PointBlock {
     BoundingBox box;          ///< world, where the layer lay when the blocks were made
     std::uint32_t begin = 0;  ///< range in Octree::order()
     std::uint32_t end = 0;
-    double spacing_m = 0;  ///< three quarters of its points have their neighbour nearer than this
+    double spacing_m = 0;     ///< typical distance of neighbours
     std::uint32_t size() const { return end - begin; }
 };
 

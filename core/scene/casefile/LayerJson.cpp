@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/scene/casefile/CaseJson.h"
@@ -65,6 +66,21 @@ LayerRole readRole(const JsonCursor& cursor) {
     return *role;
 }
 
+Json boxJson(const BoundingBox& box) {
+    return {box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z()};
+}
+
+BoundingBox readBox(const JsonCursor& cursor) {
+    const auto sides = cursor.elements(6, "a box [xmin, ymin, zmin, xmax, ymax, zmax]");
+    BoundingBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = sides[axis].real();
+        box.max[axis] = sides[axis + 3].real();
+    }
+    if (box.empty()) cursor.reject("a least coordinate of the box exceeds its greatest");
+    return box;
+}
+
 }  // namespace
 
 Json layerJson(const Layer& layer, const PathText& pathText) {
@@ -75,6 +91,8 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
               {"path", pathText(layer.path)}};
     if (layer.unit) json["unit"] = symbol(*layer.unit);
     if (!std::holds_alternative<InitIdentity>(layer.init)) json["init"] = initJson(layer.init, pathText);
+    if (layer.keepEvery > 1) json["keep_every"] = layer.keepEvery;
+    if (layer.box) json["box"] = boxJson(*layer.box);
     json["visible"] = layer.visible;
     json["tint"] = layer.tint;
     if (layer.registration) json["registration"] = resultJson(*layer.registration);
@@ -82,8 +100,8 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
 }
 
 Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
-    cursor.warnOfOthers(
-        {"id", "name", "role", "method", "path", "unit", "init", "visible", "tint", "registration"});
+    cursor.warnOfOthers({"id", "name", "role", "method", "path", "unit", "init", "visible", "tint",
+                         "registration", "keep_every", "box"});
     Layer layer;
     layer.id = cursor.at("id").name();
     layer.role = readRole(cursor.at("role"));
@@ -93,6 +111,10 @@ Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesyst
     const auto method = cursor.find("method");
     layer.method = method ? method->name() : std::string(defaultMethod(layer.role));
     if (const auto unit = cursor.find("unit")) layer.unit = readUnit(*unit);
+    if (const auto every = cursor.find("keep_every"))
+        layer.keepEvery =
+            static_cast<std::uint32_t>(every->integer(1, std::numeric_limits<std::int32_t>::max()));
+    if (const auto box = cursor.find("box")) layer.box = readBox(*box);
     if (const auto init = cursor.find("init")) layer.init = readInit(*init, layer, folder);
     if (const auto visible = cursor.find("visible")) layer.visible = visible->boolean();
     layer.tint = defaultTint(place);

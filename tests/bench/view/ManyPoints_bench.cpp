@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -30,13 +31,16 @@ std::string memory(const char* key) {
     return "unknown";
 }
 
+/// Time on the wall, and of all processors together: what a busy machine does not falsify.
 class Clock {
   public:
     Clock() { timer_.start(); }
     double seconds() const { return 1e-9 * static_cast<double>(timer_.nsecsElapsed()); }
+    double processors() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
 
   private:
     QElapsedTimer timer_;
+    std::clock_t start_ = std::clock();
 };
 
 /// Rolling ground of 1 km a side with walls and poles, in the order of a flight's lines, 3 cm of noise.
@@ -67,10 +71,17 @@ std::shared_ptr<const TriangleMesh> flownGround(std::size_t points) {
 
 struct Frames {
     std::vector<double> seconds;
+    std::vector<double> processors;
+    void add(const Clock& clock) {
+        seconds.push_back(clock.seconds());
+        processors.push_back(clock.processors());
+    }
     void print(const char* what) {
         std::sort(seconds.begin(), seconds.end());
-        std::printf("%-34s median %6.1f ms, worst %6.1f ms of %zu\n", what, 1e3 * seconds[seconds.size() / 2],
-                    1e3 * seconds.back(), seconds.size());
+        std::sort(processors.begin(), processors.end());
+        std::printf("%-34s median %6.1f ms, worst %6.1f ms of %zu (processors %.1f, %.1f)\n", what,
+                    1e3 * seconds[seconds.size() / 2], 1e3 * seconds.back(), seconds.size(),
+                    1e3 * processors[seconds.size() / 2], 1e3 * processors.back());
     }
 };
 
@@ -83,13 +94,14 @@ void send(QWidget& widget, QEvent::Type type, const QPoint& place, Qt::MouseButt
 
 void untilComplete(SceneView& view, const char* what) {
     const Clock clock;
-    double worst = 0;
+    Frames steps;
     while (!view.isComplete() && clock.seconds() < 120) {
         const Clock step;
         QApplication::processEvents();
-        worst = std::max(worst, step.seconds());
+        if (step.seconds() > 0.002) steps.add(step);
     }
-    std::printf("%-34s %.2f s, worst step %.1f ms\n", what, clock.seconds(), 1e3 * worst);
+    std::printf("%-34s %.2f s (processors %.2f s)\n", what, clock.seconds(), clock.processors());
+    if (!steps.seconds.empty()) steps.print("    its steps");
 }
 
 Frames drag(SceneView& view, Qt::MouseButton button, int frames) {
@@ -103,7 +115,7 @@ Frames drag(SceneView& view, Qt::MouseButton button, int frames) {
         send(widget, QEvent::MouseMove, place, button);
         QApplication::processEvents();
         QApplication::processEvents();
-        taken.seconds.push_back(clock.seconds());
+        taken.add(clock);
     }
     send(widget, QEvent::MouseButtonRelease, place, button);
     return taken;
@@ -140,7 +152,8 @@ int main(int argc, char** argv) {
     view.setPickIndex({layer.octree});
     QApplication::processEvents();
     QApplication::processEvents();
-    std::printf("first picture after %.0f ms\n", 1e3 * clock.seconds());
+    std::printf("first picture after %.0f ms (processors %.0f)\n", 1e3 * clock.seconds(),
+                1e3 * clock.processors());
     untilComplete(view, "complete, seen from afar");
     drag(view, Qt::LeftButton, 60).print("orbit from afar, complete before");
     untilComplete(view, "complete again");
@@ -157,7 +170,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i < 200; ++i) {
         const Clock pick;
         hits += view.pickAt({100 + 6 * i, 80 + (i * 37) % 740}) ? 1 : 0;
-        picks.seconds.push_back(pick.seconds());
+        picks.add(pick);
     }
     picks.print("pick under the mouse");
     std::printf("%d of 200 places had a point\n", hits);
