@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/Session.h"
 #include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
 #include "core/pipeline/LoadLayers.h"
@@ -37,10 +38,12 @@ ReadOptions FilePart::options(ReadOptions::Attributes attributes) const {
     options.attributes = attributes;
     options.keepEvery = every;
     options.box = box;
+    options.salvage = salvage;
     return options;
 }
 
 void addPartOptions(CLI::App& command, FilePart& part, const std::string& boxed) {
+    addSalvageOption(command, part.salvage);
     command.add_option("--every", part.every, "Only every K-th point of the input. Default: 1.")
         ->type_name("K")
         ->check(CLI::Range(1U, 2000000000U));

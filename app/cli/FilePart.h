@@ -14,12 +14,13 @@ namespace vestige::cli {
 struct FilePart {
     std::uint32_t every = 1;
     std::optional<BoundingBox> box;
+    bool salvage = false;  ///< of a damaged file what is whole
 
     bool whole() const { return every <= 1 && !box; }
     ReadOptions options(ReadOptions::Attributes attributes) const;
 };
 
-/// Declares --every, and --box of the input named; `part` must live as long as the command.
+/// Declares --salvage, --every, and --box of the input named; `part` must live as long as the command.
 void addPartOptions(CLI::App& command, FilePart& part, const std::string& boxed = "the input");
 
 /// Reads a part of a file, if there is memory for it: else ErrorCode::input with what would fit.

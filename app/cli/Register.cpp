@@ -135,10 +135,13 @@ int runRegister(Session& session, const Options& options) {
         readPart(options.target, options.part, ReadOptions::Attributes::drawn, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
     const Result<LoadedGeometry> source =
-        readPart(options.source, {options.part.every, std::nullopt},
+        readPart(options.source, {options.part.every, std::nullopt, options.part.salvage},
                  options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
                  control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
+    for (const auto* loaded : {&*target, &*source})
+        if (!loaded->info.damage.empty())
+            session.log("warning: " + loaded->info.path.string() + ": " + loaded->info.damage);
     const Result<Start> start = startFrom(options, target->geometry, source->geometry, control.sub(0.4, 0.6));
     if (!start) return failed(session, options, start.error(), {});
     ParameterSet parameters = options.parameters;

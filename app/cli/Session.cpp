@@ -61,6 +61,12 @@ int Session::failed(const Error& error) const {
     return static_cast<int>(error.code);
 }
 
+void addSalvageOption(CLI::App& command, bool& salvage) {
+    command.add_flag(
+        "--salvage", salvage,
+        "Of a file that ends early or is damaged, read what is whole; a warning says what is missing");
+}
+
 void addParameterOptions(CLI::App& command, ParameterSet& parameters) {
     for (const ParameterSpec& spec : parameters.table()) {
         if (spec.flag.empty()) continue;

@@ -56,6 +56,9 @@ const std::vector<Verb>& verbs();
 /// is a wrong command line.
 void addParameterOptions(CLI::App& command, ParameterSet& parameters);
 
+/// Declares --salvage.
+void addSalvageOption(CLI::App& command, bool& salvage);
+
 /// Each verb's declaration, one file per verb.
 Run declareInfo(CLI::App& command);
 Run declareConvert(CLI::App& command);

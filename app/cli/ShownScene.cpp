@@ -48,6 +48,7 @@ Status load(SceneState& scene, const FilePart& part, const JobControl& control) 
         Layer& layer = scene.layers[i];
         if (part.every > 1) layer.keepEvery = part.every;
         if (part.box) layer.box = part.box;
+        layer.salvage = layer.salvage || part.salvage;
         const double share = static_cast<double>(i);
         auto data =
             loadLayer(layer, scene.resolve(layer.path), control.sub(share / count, (share + 1) / count));

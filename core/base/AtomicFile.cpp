@@ -23,7 +23,10 @@ std::filesystem::path beside(const std::filesystem::path& place, const char* wha
 AtomicFile::AtomicFile(std::filesystem::path place) : place_(std::move(place)) {
     std::error_code unknown;  // then it is a file that open() will complain of
     const auto type = std::filesystem::status(place_, unknown).type();
-    device_ = type == std::filesystem::file_type::character || type == std::filesystem::file_type::fifo;
+    // /dev/stdout and /dev/fd/3 are links that may lead to a file; they must not be replaced by one.
+    const std::string folder = place_.parent_path().string();
+    device_ = type == std::filesystem::file_type::character || type == std::filesystem::file_type::fifo ||
+              folder == "/dev" || folder == "/dev/fd" || folder.starts_with("/proc/");
     temporary_ = device_ ? place_ : beside(place_, ".partial-");
 }
 
@@ -39,6 +42,9 @@ Status AtomicFile::open() {
     if (std::filesystem::is_directory(place_, problem))
         return fail(ErrorCode::output, "a folder of this name is in the way of the file", place_.string());
     if (place_.has_parent_path()) std::filesystem::create_directories(place_.parent_path(), problem);
+    // Somebody else's link under this name would be written through.
+    std::error_code none;
+    if (!device_) std::filesystem::remove(temporary_, none);
     errno = 0;
     stream_.open(temporary_, std::ios::binary | std::ios::trunc);
     if (!stream_)
@@ -103,6 +109,9 @@ Result<std::string> readTextFile(const std::filesystem::path& file, std::size_t 
     std::error_code problem;
     if (std::filesystem::is_directory(file, problem))
         return fail(ErrorCode::input, "this is a folder, a file was expected", file.string());
+    // Opening a pipe that nobody writes to would wait for ever.
+    if (std::filesystem::exists(file, problem) && !std::filesystem::is_regular_file(file, problem))
+        return fail(ErrorCode::input, "this is a device or pipe, a file was expected", file.string());
     std::ifstream stream(file, std::ios::binary | std::ios::ate);
     if (!stream) return fail(ErrorCode::input, "the file cannot be opened for reading", file.string());
     const auto size = static_cast<std::size_t>(stream.tellg());

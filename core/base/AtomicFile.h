@@ -13,7 +13,8 @@ namespace vestige {
 
 /// A file that appears whole or not at all: it is written beside its place under another name and renamed by
 /// commit(). Destroyed without commit() it leaves what stood there before untouched and nothing of its own. A
-/// device or a pipe (/dev/null, /dev/stdout) is written to directly.
+/// device or a pipe (/dev/null, /dev/stdout) is written to directly. A symbolic link is replaced, and what it
+/// leads to, evidence perhaps, stays as it is.
 class AtomicFile {
   public:
     explicit AtomicFile(std::filesystem::path place);

@@ -53,7 +53,10 @@ Result<std::vector<CsvRow>> parseCsv(std::string_view text, const std::string& p
 }
 
 Result<std::vector<CsvRow>> readCsv(const std::filesystem::path& file) {
-    auto text = readTextFile(file);
+    // Tables that people and Vestige write; a cell takes 32 bytes and more, so a larger one could fill the
+    // memory.
+    constexpr std::size_t kLargestTable = std::size_t{64} << 20;
+    auto text = readTextFile(file, kLargestTable);
     if (!text) return fail(text.error());
     return parseCsv(*text, file.string());
 }

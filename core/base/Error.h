@@ -20,6 +20,8 @@ struct Error {
         message;  ///< one sentence without final full stop, e.g. "the header ends after 12 of 227 bytes"
     std::string place;  ///< file with line or byte, parameter, stage; may be empty
     std::string hint;   ///< what was expected or helps; may be empty
+    /// Of a damaged input: part of it is whole and can be read where the user agrees.
+    bool salvageable = false;
 
     /// "place: message; hint" with the empty parts left out.
     std::string sentence() const;

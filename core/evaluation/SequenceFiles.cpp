@@ -84,7 +84,7 @@ Result<SequenceFiles> sequenceFiles(const fs::path& folder, const fs::path& trut
     std::vector<fs::path> files;
     for (auto entry = fs::directory_iterator(folder, problem); !problem && entry != fs::directory_iterator();
          entry.increment(problem))
-        if (entry->is_regular_file() && !fs::equivalent(entry->path(), truth, ignored))
+        if (entry->is_regular_file(ignored) && !fs::equivalent(entry->path(), truth, ignored))
             files.push_back(entry->path());
     if (problem)
         return fail(ErrorCode::input, "the folder cannot be read", folder.string(), problem.message());

@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include "core/base/AtomicFile.h"
+#include "core/base/CleanText.h"
 #include "core/base/Numbers.h"
+#include "core/io/Coordinates.h"
 
 namespace vestige {
 namespace {
@@ -64,7 +67,7 @@ Result<std::vector<double>> numbers(const std::vector<std::string_view>& cells) 
     for (const std::string_view cell : cells) {
         const auto value = parseReal(cell);
         if (!value || !std::isfinite(*value))
-            return fail(ErrorCode::input, "'" + std::string(cell) + "' is not a finite number");
+            return fail(ErrorCode::input, "'" + cleanText(cell) + "' is not a finite number");
         values.push_back(*value);
     }
     return values;
@@ -106,6 +109,9 @@ class Reader {
         if (!values) return fail(values.error());
         const Result<Pose> pose = columns_ ? matrixPose(*values, *columns_) : quaternionPose(*values);
         if (!pose) return fail(pose.error());
+        if (!isUsable(pose->translation()))
+            return fail(ErrorCode::input, "the place is farther from 0 than any on Earth", {},
+                        "expected metres up to 1e10");
         trajectory_.poses.push_back(*pose);
         return columns_ && columns_->id ? takeId((*values)[*columns_->id]) : Status{};
     }
@@ -116,20 +122,22 @@ class Reader {
         if (value != std::floor(value) || std::abs(value) > 1e9)
             return fail(ErrorCode::input, "poseId " + exactText(value) + " is not a whole number");
         const auto id = static_cast<std::int64_t>(value);
-        if (std::find(trajectory_.ids.begin(), trajectory_.ids.end(), id) != trajectory_.ids.end())
+        if (!ids_.insert(id).second)
             return fail(ErrorCode::input, "poseId " + std::to_string(id) + " is there twice");
         trajectory_.ids.push_back(id);
         return {};
     }
 
     std::optional<AslColumns> columns_;
+    std::set<std::int64_t> ids_;
     Trajectory trajectory_;
 };
 
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
-    const Result<std::string> text = readTextFile(file);
+    constexpr std::size_t kLargestFile = std::size_t{256} << 20;  // a million poses
+    const Result<std::string> text = readTextFile(file, kLargestFile);
     if (!text) return fail(text.error());
     Reader reader;
     std::size_t number = 0;

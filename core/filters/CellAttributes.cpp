@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t kCellGrain = 4096;
 
 /// value(points of the cell) for every cell, where the cloud has the attribute `all`.
-template <class Value, class ValueOf>
-std::vector<Value> perCell(const std::vector<Value>& all, const CellMembers& cells, const ValueOf& valueOf) {
-    std::vector<Value> values;
+template <class Array, class ValueOf>
+Array perCell(const Array& all, const CellMembers& cells, const ValueOf& valueOf) {
+    Array values;
     if (all.empty()) return values;
     values.resize(cells.cellCount());
     parallelFor(cells.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
@@ -22,15 +22,24 @@ std::vector<Value> perCell(const std::vector<Value>& all, const CellMembers& cel
     return values;
 }
 
-template <class Value>
-std::vector<Value> means(const std::vector<Value>& all, const CellMembers& cells) {
-    return perCell(all, cells, [&](std::span<const std::uint32_t> points) {
-        // Differences from the first keep the digits of large values such as GPS time.
-        const auto first = static_cast<double>(all[points.front()]);
-        double sum = 0;
-        for (const std::uint32_t point : points) sum += static_cast<double>(all[point]) - first;
-        return static_cast<Value>(first + sum / static_cast<double>(points.size()));
+/// The mean over each cell's points, where the cloud has the attribute `all`.
+template <class Values>
+std::vector<typename Values::value_type> means(const Values& all, const CellMembers& cells) {
+    std::vector<typename Values::value_type> values;
+    if (all.empty()) return values;
+    values.resize(cells.cellCount());
+    parallelFor(cells.cellCount(), kCellGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            const std::span<const std::uint32_t> points = cells.points(cell);
+            // Differences from the first keep the digits of large values such as GPS time.
+            const auto first = static_cast<double>(all[points.front()]);
+            double sum = 0;
+            for (const std::uint32_t point : points) sum += static_cast<double>(all[point]) - first;
+            values[cell] =
+                static_cast<typename Values::value_type>(first + sum / static_cast<double>(points.size()));
+        }
     });
+    return values;
 }
 
 template <class Value>

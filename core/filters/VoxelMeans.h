@@ -16,9 +16,9 @@ enum class VoxelWants { means, members, nearest };
 
 /// The occupied cells of a grid in ascending order along x, then y, then z.
 struct VoxelMeans {
-    std::vector<Eigen::Vector3f> offsets;    ///< mean of each cell's points, from the points' origin
-    std::vector<Eigen::Vector3f> residuals;  ///< where offsets may be too far for a float, else empty
-    CellMembers members;                     ///< VoxelWants::members: which points
+    LargeArray<Eigen::Vector3f> offsets;    ///< mean of each cell's points, from the points' origin
+    LargeArray<Eigen::Vector3f> residuals;  ///< where offsets may be too far for a float, else empty
+    CellMembers members;                    ///< VoxelWants::members: which points
     std::vector<std::uint32_t> nearest;  ///< VoxelWants::nearest: the point nearest the mean, ties the first
 };
 

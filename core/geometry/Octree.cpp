@@ -35,7 +35,7 @@ struct PendingChild {
 /// ask for their own.
 class Divider {
   public:
-    Divider(const std::vector<Eigen::Vector3f>& offsets, std::vector<Code>& sorted, std::uint32_t leafSize,
+    Divider(std::span<const Eigen::Vector3f> offsets, std::vector<Code>& sorted, std::uint32_t leafSize,
             double finest)
         : offsets_(offsets), sorted_(sorted), leafSize_(leafSize), finest_(finest) {}
 
@@ -84,7 +84,7 @@ class Divider {
         return (max.cast<double>() - min.cast<double>()).maxCoeff();
     }
 
-    const std::vector<Eigen::Vector3f>& offsets_;
+    std::span<const Eigen::Vector3f> offsets_;
     std::vector<Code>& sorted_;
     std::uint32_t leafSize_;
     double finest_;
@@ -112,7 +112,7 @@ Octree::Octree(std::shared_ptr<const PointCloud> cloud, std::uint32_t leafSize) 
 }
 
 void Octree::build(std::uint32_t leafSize) {
-    const std::vector<Eigen::Vector3f>& offsets = cloud_->offsets();
+    const std::span<const Eigen::Vector3f> offsets = cloud_->offsets();
     const MortonGrid grid(offsets);
     std::vector<Code> sorted = sortedByKey<std::uint64_t>(
         offsets.size(), 3 * kLevels, [&](std::size_t begin, std::span<std::uint64_t> keys) {
@@ -155,7 +155,7 @@ void Octree::build(std::uint32_t leafSize) {
 }
 
 void Octree::fillBoxes() {
-    const std::vector<Eigen::Vector3f>& offsets = cloud_->offsets();
+    const std::span<const Eigen::Vector3f> offsets = cloud_->offsets();
     parallelFor(nodes_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Node& node = nodes_[i];

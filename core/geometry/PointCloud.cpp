@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 
-template <class Value>
-std::vector<Value> selected(const std::vector<Value>& all, std::span<const std::uint32_t> indices) {
-    std::vector<Value> chosen;
+template <class Array>
+Array selected(const Array& all, std::span<const std::uint32_t> indices) {
+    Array chosen;
     if (all.empty()) return chosen;
     chosen.resize(indices.size());
     parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -25,7 +25,7 @@ std::vector<Value> selected(const std::vector<Value>& all, std::span<const std::
 
 PointAttributes PointAttributes::select(std::span<const std::uint32_t> indices) const {
     PointAttributes chosen;
-    chosen.intensity = selected(intensity, indices);
+    chosen.intensity = intensity.select(indices);
     chosen.color = selected(color, indices);
     chosen.classification = selected(classification, indices);
     chosen.gpsTime = selected(gpsTime, indices);
@@ -36,12 +36,24 @@ PointAttributes PointAttributes::select(std::span<const std::uint32_t> indices) 
     return chosen;
 }
 
-PointCloud::PointCloud(Eigen::Vector3d origin, std::vector<Eigen::Vector3f> offsets,
-                       std::vector<Eigen::Vector3f> residuals, PointAttributes attributes)
+PointCloud::PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets,
+                       LargeArray<Eigen::Vector3f> residuals, PointAttributes attributes)
     : origin_(std::move(origin)),
       offsets_(std::move(offsets)),
       residuals_(std::move(residuals)),
       attributes_(std::move(attributes)) {
+    findBounds();
+}
+
+PointCloud::PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets,
+                       const CoordinateGrid& grid, const BoundingBox& bounds, PointAttributes attributes)
+    : origin_(std::move(origin)),
+      offsets_(std::move(offsets)),
+      grid_(grid),
+      attributes_(std::move(attributes)),
+      bounds_(bounds) {}
+
+void PointCloud::findBounds() {
     std::vector<BoundingBox> parts((size() + kGrain - 1) / kGrain);
     parallelChunks(size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         // A point's coordinates grow with its offset's, so that without residuals the offsets' bounds do.
@@ -52,8 +64,10 @@ PointCloud::PointCloud(Eigen::Vector3d origin, std::vector<Eigen::Vector3f> offs
                 least = least.cwiseMin(offsets_[i]);
                 most = most.cwiseMax(offsets_[i]);
             }
-            parts[chunk].add(Eigen::Vector3d(origin_ + least.cast<double>()));
-            parts[chunk].add(Eigen::Vector3d(origin_ + most.cast<double>()));
+            for (const Eigen::Vector3f& corner : {least, most}) {
+                const Eigen::Vector3d world = origin_ + corner.cast<double>();
+                parts[chunk].add(grid_ ? grid_->snapped(world) : world);
+            }
         } else {
             for (std::size_t i = begin; i < end; ++i) parts[chunk].add(point(i));
         }
@@ -62,7 +76,14 @@ PointCloud::PointCloud(Eigen::Vector3d origin, std::vector<Eigen::Vector3f> offs
 }
 
 PointCloud PointCloud::select(std::span<const std::uint32_t> indices) const {
-    return {origin_, selected(offsets_, indices), selected(residuals_, indices), attributes_.select(indices)};
+    PointCloud chosen;
+    chosen.origin_ = origin_;
+    chosen.offsets_ = selected(offsets_, indices);
+    chosen.residuals_ = selected(residuals_, indices);
+    chosen.grid_ = grid_;
+    chosen.attributes_ = attributes_.select(indices);
+    chosen.findBounds();
+    return chosen;
 }
 
 PointCloud PointCloud::transformed(const Similarity& toFromHere) const {

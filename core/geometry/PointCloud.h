@@ -4,10 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/LargeArray.h"
 #include "core/geometry/BoundingBox.h"
+#include "core/geometry/CoordinateGrid.h"
+#include "core/geometry/Intensities.h"
 #include "core/geometry/Pose.h"
 
 namespace vestige {
@@ -17,8 +21,8 @@ using Color = std::array<std::uint16_t, 3>;
 
 /// Per-point attributes. Each array is empty (the cloud does not have it) or as long as the cloud.
 struct PointAttributes {
-    std::vector<float> intensity;  ///< as in the file, no range implied
-    std::vector<Color> color;
+    Intensities intensity;  ///< as in the file, no range implied
+    LargeArray<Color> color;
     std::vector<std::uint8_t> classification;  ///< ASPRS classes
     std::vector<double> gpsTime;             ///< s, as in the file (GPS week time or adjusted standard time)
     std::vector<Eigen::Vector3f> normal;     ///< unit length or zero
@@ -37,8 +41,12 @@ class PointCloud {
     PointCloud() = default;
     /// `residuals` is empty or as long as `offsets`: what a float offset cannot hold of points far from the
     /// origin.
-    PointCloud(Eigen::Vector3d origin, std::vector<Eigen::Vector3f> offsets,
-               std::vector<Eigen::Vector3f> residuals, PointAttributes attributes);
+    PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets,
+               LargeArray<Eigen::Vector3f> residuals, PointAttributes attributes);
+    /// A cloud whose points lie on a grid that float offsets can tell (CoordinateGrid::heldByFloats), all
+    /// finite, within the box `bounds`, which they fill.
+    PointCloud(Eigen::Vector3d origin, LargeArray<Eigen::Vector3f> offsets, const CoordinateGrid& grid,
+               const BoundingBox& bounds, PointAttributes attributes);
 
     std::size_t size() const { return offsets_.size(); }
     bool empty() const { return offsets_.empty(); }
@@ -46,14 +54,18 @@ class PointCloud {
     const Eigen::Vector3d& origin() const { return origin_; }
     /// World = origin + offset, to half a float ulp of the offset (0.03 mm at 500 m); what numerical kernels
     /// use.
-    const std::vector<Eigen::Vector3f>& offsets() const { return offsets_; }
-    const std::vector<Eigen::Vector3f>& residuals() const { return residuals_; }
+    const LargeArray<Eigen::Vector3f>& offsets() const { return offsets_; }
+    const LargeArray<Eigen::Vector3f>& residuals() const { return residuals_; }
     /// World coordinates of point i, exact as read.
     Eigen::Vector3d point(std::size_t i) const {
         Eigen::Vector3d world = origin_ + offsets_[i].cast<double>();
+        if (grid_) return grid_->snapped(world);
         if (!residuals_.empty()) world += residuals_[i].cast<double>();
         return world;
     }
+
+    /// The grid of its file, where it is held by it; such a cloud has no residuals.
+    const std::optional<CoordinateGrid>& grid() const { return grid_; }
 
     const PointAttributes& attributes() const { return attributes_; }
     /// World bounds; empty for an empty cloud.
@@ -67,9 +79,12 @@ class PointCloud {
     PointCloud withAttributes(PointAttributes attributes) const;
 
   private:
+    void findBounds();
+
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3f> offsets_;
-    std::vector<Eigen::Vector3f> residuals_;
+    LargeArray<Eigen::Vector3f> offsets_;
+    LargeArray<Eigen::Vector3f> residuals_;
+    std::optional<CoordinateGrid> grid_;
     PointAttributes attributes_;
     BoundingBox bounds_;
 };

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "core/geometry/PointCloud.h"
 
@@ -36,8 +35,8 @@ class PointCloudBuilder {
 
   private:
     std::optional<Eigen::Vector3d> origin_;
-    std::vector<Eigen::Vector3f> offsets_;
-    std::vector<Eigen::Vector3f> residuals_;
+    LargeArray<Eigen::Vector3f> offsets_;
+    LargeArray<Eigen::Vector3f> residuals_;
     PointAttributes attributes_;
 };
 

@@ -40,6 +40,7 @@ LoadedGeometry loaded(TriangleMesh geometry, std::string format, std::string ver
     describeGeometry(geometry, result.info);
     if (geometry.vertices.empty()) job.warn("the file has no points");
     result.info.warnings = std::move(job.warnings());
+    result.info.damage = job.damage();
     result.geometry = std::move(geometry);
     return result;
 }

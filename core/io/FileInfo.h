@@ -68,7 +68,9 @@ struct FileInfo {
     std::vector<ScanInfo> scans;          ///< of formats that keep scans apart
     std::vector<ImageInfo> images;
     std::vector<std::string> warnings;  ///< what was skipped or repaired while reading
-    std::string damage;  ///< of a salvaged file: what is missing, a sentence for the report; empty when whole
+    /// Of a salvaged file: what is missing, a sentence for the report; empty when whole. readGeometry() puts
+    /// it before the warnings, too.
+    std::string damage;
     std::string sha256;  ///< filled where the whole file was read for it
 };
 

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "core/base/Hash.h"
+#include "core/base/Parallel.h"
 #include "core/io/ApplyReadOptions.h"
+#include "core/io/Coordinates.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
@@ -52,13 +54,29 @@ Result<std::vector<std::byte>> headOf(const std::filesystem::path& file) {
     return head;
 }
 
-Status checkFinite(const std::filesystem::path& file, const PointCloud& cloud) {
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-        if (!cloud.point(i).allFinite())
-            return fail(ErrorCode::input,
-                        "point " + std::to_string(i + 1) + " has a coordinate that is no finite number",
-                        file.string(), "finite coordinates");
+Status unusable(const std::filesystem::path& file, const std::string& what) {
+    return fail(ErrorCode::input, what + ": " + std::string(kUnusableCoordinate), file.string(),
+                "expected: " + std::string(kUsableCoordinates));
+}
+
+Status checkCoordinates(const std::filesystem::path& file, const PointCloud& cloud) {
+    // Points on a grid are finite; those that reach farthest tell for all.
+    if (cloud.grid() && isUsable(cloud.bounds().min) && isUsable(cloud.bounds().max)) return {};
+    constexpr std::size_t kGrain = 65536;
+    std::vector<std::size_t> firsts((cloud.size() + kGrain - 1) / kGrain, cloud.size());
+    parallelChunks(cloud.size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && firsts[chunk] == cloud.size(); ++i)
+            if (!isUsable(cloud.point(i))) firsts[chunk] = i;
+    });
+    for (const std::size_t first : firsts)
+        if (first < cloud.size()) return unusable(file, "point " + std::to_string(first + 1));
     return {};
+}
+
+/// Of a file whose points were looked at and not kept.
+Status checkBounds(const std::filesystem::path& file, const FileInfo& info) {
+    if (info.points == 0 || (isUsable(info.bounds.min) && isUsable(info.bounds.max))) return {};
+    return unusable(file, "the points' bounds");
 }
 
 }  // namespace
@@ -113,6 +131,7 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     if (!format) return fail(format.error());
     Result<FileInfo> info = (*format)->info(file, control.sub(0, 0.7));
     if (!info) return info;
+    if (const Status usable = checkBounds(file, *info); !usable) return fail(usable.error());
     Result<std::string> hash = sha256OfFile(file, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
     info->sha256 = std::move(*hash);
@@ -132,8 +151,11 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
     Result<LoadedGeometry> geometry = (*format)->read(file, options, control);
     if (!geometry) return geometry;
     applyReadOptions(options, *geometry);
-    if (const Status finite = checkFinite(file, geometry->geometry.vertices); !finite)
-        return fail(finite.error());
+    // Wherever warnings are read, the damage is read first.
+    if (!geometry->info.damage.empty())
+        geometry->info.warnings.insert(geometry->info.warnings.begin(), geometry->info.damage);
+    if (const Status usable = checkCoordinates(file, geometry->geometry.vertices); !usable)
+        return fail(usable.error());
     control.progress(1, "reading");
     return geometry;
 }

@@ -31,7 +31,7 @@ Eigen::Vector3d SourceGrid::operator()(const Eigen::Vector3d& point) const {
 }
 
 bool colorsAreBytes(const PointCloud& cloud) {
-    const std::vector<Color>& colors = cloud.attributes().color;
+    const LargeArray<Color>& colors = cloud.attributes().color;
     return std::all_of(colors.begin(), colors.end(), [](const Color& color) {
         return color[0] % 257 == 0 && color[1] % 257 == 0 && color[2] % 257 == 0;
     });

@@ -4,6 +4,9 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <set>
+
+#include "core/base/CleanText.h"
 
 namespace vestige {
 namespace {
@@ -84,11 +87,12 @@ PointField fieldOfName(std::string_view name) {
 std::vector<PointField> fieldsOfNames(const std::vector<std::string>& names, std::size_t line, ReadJob& job) {
     using enum PointField;
     std::vector<PointField> fields;
+    std::set<PointField> seen;
     for (const std::string& name : names) {
         PointField field = fieldOfName(name);
-        if (field != none && std::count(fields.begin(), fields.end(), field) > 0) {
+        if (field != none && !seen.insert(field).second) {
             if (field == x || field == y || field == z)
-                job.refuseLine(line, "the column " + name + " is named twice",
+                job.refuseLine(line, "the column " + cleanText(name) + " is named twice",
                                "one column each of x, y and z");
             field = none;
         }
@@ -101,11 +105,15 @@ std::vector<PointField> fieldsOfNames(const std::vector<std::string>& names, std
     dropIncomplete(fields, {red, green, blue});
     if (std::count(fields.begin(), fields.end(), red) > 0)
         std::replace(fields.begin(), fields.end(), packedColor, none);
+    constexpr std::size_t kMostNamed = 20;
     std::string unknown;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (fields[i] == none && plainName(names[i]) != "alpha")
-            unknown += (unknown.empty() ? "" : ", ") + names[i];
-    if (!unknown.empty()) job.warn("not kept: " + unknown);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (fields[i] != none || plainName(names[i]) == "alpha") continue;
+        if (++count <= kMostNamed) unknown += (unknown.empty() ? "" : ", ") + cleanText(names[i]);
+    }
+    if (count > kMostNamed) unknown += " and " + std::to_string(count - kMostNamed) + " more";
+    if (count > 0) job.warn("not kept: " + unknown);
     return fields;
 }
 

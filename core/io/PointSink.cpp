@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/Coordinates.h"
+
 namespace vestige {
 namespace {
 
@@ -14,15 +16,8 @@ Number clamped(double value, double largest) {
 
 }  // namespace
 
-Eigen::Vector3f cleanNormal(const Eigen::Vector3d& normal) {
-    const double length = normal.norm();
-    if (!std::isfinite(length) || length < 1e-12) return Eigen::Vector3f::Zero();
-    // Normals that are unit length to the digits of their file stay bit for bit what they are.
-    if (std::abs(length - 1) < 1e-3) return normal.cast<float>();
-    return (normal / length).cast<float>();
-}
-
-PointSink::PointSink(const std::vector<PointField>& fields, ColorDepth depth) : depth_(depth) {
+PointSink::PointSink(const std::vector<PointField>& fields, ColorDepth depth)
+    : fields_(fields), depth_(depth) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
         switch (fields[i]) {
             case PointField::none:
@@ -62,7 +57,7 @@ PointSink::PointSink(const std::vector<PointField>& fields, ColorDepth depth) : 
 
 bool PointSink::add(const double* row) {
     const Eigen::Vector3d point(row[x_], row[y_], row[z_]);
-    if (!point.allFinite()) return false;
+    if (!isUsable(point)) return false;
     builder_.add(point);
     if (red_ && green_ && blue_) addColor(row[*red_], row[*green_], row[*blue_]);
     if (normalX_ && normalY_ && normalZ_)
@@ -103,6 +98,14 @@ bool PointSink::add(const double* row) {
     return true;
 }
 
+bool PointSink::addRecords(const std::byte* body, std::size_t points, RecordLayout layout,
+                           const ReadJob& job) {
+    for (std::size_t i = 0; i < fields_.size(); ++i) layout.columns[i].field = fields_[i];
+    layout.depth = depth_;
+    atOnce_ = readRecords(body, points, layout, job);
+    return atOnce_.has_value();
+}
+
 void PointSink::addColor(double red, double green, double blue) {
     if (depth_ == ColorDepth::guess) {
         undecidedColors_.emplace_back(static_cast<float>(red), static_cast<float>(green),
@@ -122,7 +125,7 @@ void PointSink::finishColors() {
     float largest = 0;
     for (const Eigen::Vector3f& color : undecidedColors_) largest = std::max(largest, color.maxCoeff());
     const double scale = largest <= 1 ? 65535.0 : largest <= 255 ? 257.0 : 1.0;
-    std::vector<Color>& colors = builder_.attributes().color;
+    LargeArray<Color>& colors = builder_.attributes().color;
     colors.reserve(undecidedColors_.size());
     for (const Eigen::Vector3f& color : undecidedColors_) {
         Color& stored = colors.emplace_back();
@@ -131,6 +134,7 @@ void PointSink::finishColors() {
 }
 
 PointCloud PointSink::build() && {
+    if (atOnce_) return std::move(*atOnce_);
     finishColors();
     return std::move(builder_).build();
 }

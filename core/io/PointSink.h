@@ -7,21 +7,22 @@
 
 #include "core/geometry/PointCloudBuilder.h"
 #include "core/io/PointField.h"
+#include "core/io/RecordCloud.h"
 
 namespace vestige {
-
-/// How a file's colour numbers are meant. `guess`: by the largest value, up to 1 fractions, up to 255 bytes,
-/// else 16 bits.
-enum class ColorDepth { bytes, words, guess };
 
 /// Collects rows of numbers, one per point, as the cloud that their fields describe.
 class PointSink {
   public:
     PointSink(const std::vector<PointField>& fields, ColorDepth depth);
 
-    /// `row` is as long as `fields`. False, and nothing is added, when a coordinate is not finite.
+    /// `row` is as long as `fields`. False, and nothing is added, when a coordinate is not usable.
     bool add(const double* row);
-    std::size_t size() const { return builder_.size(); }
+    /// All `points` points of binary records at once, by many threads, into an empty sink; the columns are in
+    /// the order of `fields`, whose meaning they get. False, and nothing is added, when a coordinate is not
+    /// usable: row by row it is told which.
+    bool addRecords(const std::byte* body, std::size_t points, RecordLayout layout, const ReadJob& job);
+    std::size_t size() const { return atOnce_ ? atOnce_->size() : builder_.size(); }
     void reserve(std::size_t points) { builder_.reserve(points); }
 
     /// Leaves the sink empty.
@@ -31,6 +32,8 @@ class PointSink {
     void addColor(double red, double green, double blue);
     void finishColors();
 
+    std::vector<PointField> fields_;
+    std::optional<PointCloud> atOnce_;
     PointCloudBuilder builder_;
     std::vector<std::pair<PointField, std::size_t>> columns_;
     std::size_t x_ = 0, y_ = 0, z_ = 0;
@@ -38,8 +41,5 @@ class PointSink {
     ColorDepth depth_;
     std::vector<Eigen::Vector3f> undecidedColors_;
 };
-
-/// Unit length or zero, whatever the file says.
-Eigen::Vector3f cleanNormal(const Eigen::Vector3d& normal);
 
 }  // namespace vestige

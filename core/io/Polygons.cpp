@@ -1,12 +1,16 @@
 #include "core/io/Polygons.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <utility>
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kLargestClipped = 64;
+/// Clipping takes up to the cube of the corners; a file of many hostile polygons would take hours. No mesh
+/// that anyone drew comes near.
+constexpr std::size_t kMostClipping = 4000000000;
 
 using Flat = std::vector<Eigen::Vector2d>;
 
@@ -45,6 +49,11 @@ bool isEar(const Flat& flat, const std::vector<std::size_t>& left, std::size_t i
     return true;
 }
 
+void fan(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles) {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        triangles.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
 }  // namespace
 
 void triangulate(std::span<const std::uint32_t> corners, const PointCloud& vertices,
@@ -75,11 +84,34 @@ void Polygons::add(std::span<const std::uint32_t> corners) {
     }
 }
 
-std::vector<Triangle> Polygons::triangles(const PointCloud& vertices) && {
+void Polygons::dropBeyond(std::size_t vertices) {
+    const auto beyond = [&](const auto& corners) {
+        return std::any_of(corners.begin(), corners.end(),
+                           [&](std::uint32_t corner) { return corner >= vertices; });
+    };
+    std::erase_if(triangles_, beyond);
+    Polygons kept;
     std::size_t begin = 0;
     for (const std::uint32_t length : lengths_) {
-        triangulate(std::span(corners_).subspan(begin, length), vertices, triangles_);
+        const auto face = std::span<const std::uint32_t>(corners_).subspan(begin, length);
+        if (!beyond(face)) kept.add(face);
         begin += length;
+    }
+    corners_ = std::move(kept.corners_);
+    lengths_ = std::move(kept.lengths_);
+}
+
+std::vector<Triangle> Polygons::triangles(const PointCloud& vertices) && {
+    std::size_t begin = 0;
+    std::size_t clipped = 0;
+    for (const std::uint32_t length : lengths_) {
+        const auto face = std::span<const std::uint32_t>(corners_).subspan(begin, length);
+        begin += length;
+        if (length <= kLargestClipped) clipped += std::size_t{length} * length * length;
+        if (clipped <= kMostClipping)
+            triangulate(face, vertices, triangles_);
+        else
+            fan(face, triangles_);
     }
     return std::move(triangles_);
 }

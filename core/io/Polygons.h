@@ -15,6 +15,10 @@ class Polygons {
     /// Indices of the face's corners in order; fewer than three corners are no face and are counted apart.
     void add(std::span<const std::uint32_t> corners);
     std::size_t skipped() const { return skipped_; }
+    std::size_t faces() const { return triangles_.size() + lengths_.size() + skipped_; }
+
+    /// Forgets the faces that name a vertex from `vertices` on, as those of a file that ends early may.
+    void dropBeyond(std::size_t vertices);
 
     /// The triangles, those of three-cornered faces first. Every index must be below `vertices.size()`.
     std::vector<Triangle> triangles(const PointCloud& vertices) &&;

@@ -25,7 +25,36 @@ void ReadJob::refuseByte(std::size_t byte, std::string message, const std::strin
         {ErrorCode::input, std::move(message), place() + ", byte " + std::to_string(byte), hintOf(expected)}};
 }
 
+void ReadJob::untilDamage(const std::function<void()>& work, const std::function<WholePart()>& whole) {
+    try {
+        work();
+    } catch (ErrorException& refusal) {
+        Error& error = refusal.error;
+        if (error.code != ErrorCode::input) throw;
+        const WholePart part = whole();
+        if (part.points == 0) throw;
+        if (!salvage_) {
+            offerSalvage(error, part.words);
+            throw;
+        }
+        const std::string file = place();
+        const std::string where = error.place.starts_with(file) ? error.place.substr(file.size()) : "";
+        damage_ = "the file is damaged" + where + ": " + error.message + "; " + part.words +
+                  " are whole and were read";
+    }
+}
+
+void offerSalvage(Error& error, const std::string& words) {
+    error.salvageable = true;
+    error.hint +=
+        (error.hint.empty() ? "" : "; ") + words +
+        " are whole and can be read where damage is allowed (--salvage; in a case \"salvage\": true)";
+}
+
 void ReadJob::warn(std::string sentence) {
+    constexpr std::size_t kMostWarnings = 100;
+    if (warnings_.size() > kMostWarnings) return;
+    if (warnings_.size() == kMostWarnings) sentence = "further notes on this file are not listed";
     warnings_.push_back(std::move(sentence));
 }
 
@@ -36,6 +65,11 @@ void ReadJob::report(std::size_t done, std::size_t total) const {
 
 std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string firstOf(std::size_t whole, std::size_t promised, const std::string& noun) {
+    if (whole >= promised) return "all " + counted(whole, noun);
+    return "the first " + std::to_string(whole) + " of " + counted(promised, noun);
 }
 
 }  // namespace vestige

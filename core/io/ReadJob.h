@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,19 @@
 
 namespace vestige {
 
+/// What of a damaged file is whole: how many points, and in words "the first 12 of 40 points".
+struct WholePart {
+    std::size_t points = 0;
+    std::string words;
+};
+
 /// One reading of one file: where it fails, what it warns of, how far it is. The functions that refuse throw
 /// ErrorException, which FileFormat's public functions turn into their Result (`guarded`).
 class ReadJob {
   public:
-    ReadJob(std::filesystem::path path, const JobControl& control)
-        : path_(std::move(path)), control_(control) {}
+    /// `salvage` as in ReadOptions.
+    ReadJob(std::filesystem::path path, const JobControl& control, bool salvage = false)
+        : path_(std::move(path)), control_(control), salvage_(salvage) {}
 
     const std::filesystem::path& path() const { return path_; }
     std::string place() const { return path_.string(); }
@@ -26,6 +34,13 @@ class ReadJob {
                                  const std::string& expected = {}) const;
     [[noreturn]] void refuseByte(std::size_t byte, std::string message,
                                  const std::string& expected = {}) const;
+
+    /// Runs `work`, which collects what the file holds and may refuse on its way. Where it does and part of
+    /// the points is whole, a salvaging job keeps the refusal as `damage()` and returns; another one adds to
+    /// the refusal what could be salvaged.
+    void untilDamage(const std::function<void()>& work, const std::function<WholePart()>& whole);
+    /// A sentence for FileInfo::damage; empty of a file that is whole.
+    const std::string& damage() const { return damage_; }
 
     /// For the user, kept in FileInfo::warnings.
     void warn(std::string sentence);
@@ -40,8 +55,16 @@ class ReadJob {
   private:
     std::filesystem::path path_;
     JobControl control_;
+    bool salvage_;
+    std::string damage_;
     std::vector<std::string> warnings_;
 };
+
+/// Adds to a refusal what could be salvaged: `words` as in WholePart.
+void offerSalvage(Error& error, const std::string& words);
+
+/// "the first 12 of 40 points", "all 40 points".
+std::string firstOf(std::size_t whole, std::size_t promised, const std::string& noun);
 
 /// "1 point", "5 points".
 std::string counted(std::size_t count, const std::string& noun);

@@ -4,11 +4,16 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/CleanText.h"
 #include "core/base/Csv.h"
 #include "core/base/Numbers.h"
 
 namespace vestige {
 namespace {
+
+constexpr std::size_t kLongestSentence = 300;
+/// Methods that one table compares; names are compared with each other.
+constexpr std::size_t kMostColumns = 1000;
 
 std::string trimmed(const std::string& cell) {
     const auto first = cell.find_first_not_of(" \t");
@@ -30,6 +35,9 @@ class Reader {
 
     Columns header(const CsvRow& row) const {
         Columns columns;
+        if (row.cells.size() > kMostColumns)
+            reject(row.line, "the table has " + std::to_string(row.cells.size()) + " columns",
+                   "expected " + std::to_string(kMostColumns) + " at most");
         for (const auto& cell : row.cells) columns.names.push_back(trimmed(cell));
         const auto find = [&](const std::string& name) {
             const auto found = std::find(columns.names.begin(), columns.names.end(), name);
@@ -82,8 +90,8 @@ class Reader {
     }
 
     [[noreturn]] void reject(std::size_t line, std::string message, std::string hint) const {
-        throw ErrorException{
-            {ErrorCode::input, std::move(message), file_ + ":" + std::to_string(line), std::move(hint)}};
+        throw ErrorException{{ErrorCode::input, cleanText(message, kLongestSentence),
+                              file_ + ":" + std::to_string(line), std::move(hint)}};
     }
 
   private:

@@ -62,6 +62,7 @@ ReadOptions readOptionsOf(const Layer& layer) {
     options.attributes = ReadOptions::Attributes::drawn;
     options.keepEvery = layer.keepEvery;
     options.box = layer.box;
+    options.salvage = layer.salvage;
     return options;
 }
 

@@ -87,7 +87,7 @@ Result<std::vector<OutputFile>> hashedOutputs(OutputFolder& output, const JobCon
 
 std::vector<std::string> obsoleteOutputs(const fs::path& folder, const std::vector<OutputFile>& outputs) {
     std::vector<std::string> obsolete;
-    const auto text = readTextFile(folder / "manifest.json");
+    const auto text = readTextFile(folder / "manifest.json", std::size_t{16} << 20);
     if (!text) return obsolete;
     const json manifest = json::parse(*text, nullptr, false);
     if (!manifest.is_object() || !manifest.contains("outputs") || !manifest["outputs"].is_array())

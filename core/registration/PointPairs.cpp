@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/CleanText.h"
 #include "core/base/Csv.h"
 #include "core/base/Numbers.h"
 #include "core/registration/InitialPose.h"
@@ -11,6 +12,8 @@ namespace {
 
 /// Three points or more span a plane when their second largest principal extent is not negligible.
 constexpr double kSmallestSpread = 1e-3;
+/// As far from 0 as coordinates of clouds may be.
+constexpr double kFarthest = 1e10;
 
 Eigen::Vector3d centroid(std::span<const PointPair> pairs, Eigen::Vector3d PointPair::*side) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -35,9 +38,11 @@ Result<PointPair> pairOf(const CsvRow& row, const std::string& place) {
     std::array<double, 6> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto value = parseReal(row.cells[i]);
-        if (!value || !std::isfinite(*value))
-            return fail(ErrorCode::input, std::string(kNames[i]) + " is not a number: '" + row.cells[i] + "'",
-                        line, "expected a decimal number with '.'");
+        // Also catches what is no number.
+        if (!value || !(std::abs(*value) <= kFarthest))
+            return fail(ErrorCode::input,
+                        std::string(kNames[i]) + " is not a number: '" + cleanText(row.cells[i]) + "'", line,
+                        "expected a decimal number with '.', up to 1e10");
         values[i] = *value;
     }
     return PointPair{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};

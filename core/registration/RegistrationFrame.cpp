@@ -14,7 +14,7 @@ constexpr std::size_t kGrain = 16384;
 std::vector<Eigen::Vector3f> offsetsFrom(const PointCloud& cloud, double scale, const Eigen::Vector3d& origin,
                                          const std::vector<std::uint32_t>* indices = nullptr) {
     std::vector<Eigen::Vector3f> offsets(indices != nullptr ? indices->size() : cloud.size());
-    const std::vector<Eigen::Vector3f>& from = cloud.offsets();
+    const std::span<const Eigen::Vector3f> from = cloud.offsets();
     const bool exact = cloud.residuals().empty();
     const Eigen::Vector3d base = cloud.origin();
     parallelFor(offsets.size(), kGrain, [&](std::size_t begin, std::size_t end) {

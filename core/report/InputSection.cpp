@@ -56,6 +56,11 @@ Section inputSection(const ReportInput& input) {
         "ID\u201d). The files "
         "were only read; measuring is done on their original points, never on thinned or smoothed ones."});
     section.blocks.push_back(std::move(table));
+    for (const Layer& layer : input.scene.layers)
+        if (layer.data && !layer.data->info.damage.empty())
+            section.blocks.push_back(Paragraph{"Only part of " + layer.path.filename().string() +
+                                               " could be read: " + layer.data->info.damage +
+                                               ". What is missing is not known."});
     if (const std::string parts = loadedParts(input.scene); !parts.empty())
         section.blocks.push_back(Paragraph{"Of some files only a part was loaded: " + parts + "."});
     section.blocks.push_back(

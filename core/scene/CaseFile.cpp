@@ -1,9 +1,12 @@
 #include "core/scene/CaseFile.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/base/AtomicFile.h"
+#include "core/base/CleanText.h"
 #include "core/scene/casefile/CaseJson.h"
 
 namespace vestige {
@@ -44,10 +47,34 @@ void checkSize(const std::string& text, const std::string& file) {
     }
 }
 
+/// Refuses a key that stands twice in one object: which of the two counts, every reader of JSON decides for
+/// itself.
+class KeyWatch {
+  public:
+    explicit KeyWatch(const std::string& file) : file_(file) {}
+
+    bool operator()(int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+        using enum nlohmann::json::parse_event_t;
+        if (event == object_start) seen_.emplace_back();
+        if (event == object_end) seen_.pop_back();
+        if (event == key && !seen_.back().insert(parsed.get<std::string>()).second)
+            throw ErrorException{
+                {ErrorCode::input,
+                 "the key \"" + cleanText(parsed.get<std::string>()) + "\" stands twice in one object", file_,
+                 "expected each key once"}};
+        return true;
+    }
+
+  private:
+    const std::string& file_;
+    std::vector<std::set<std::string>> seen_;
+};
+
 nlohmann::json parse(const std::string& text, const std::string& file) {
     checkSize(text, file);
+    KeyWatch keys(file);
     try {
-        return nlohmann::json::parse(text);
+        return nlohmann::json::parse(text, std::ref(keys));
     } catch (const nlohmann::json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw ErrorException{{ErrorCode::input,

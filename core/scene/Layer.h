@@ -67,6 +67,7 @@ struct Layer {
     std::uint32_t keepEvery = 1;     ///< of the file's points every k-th is loaded, the first included
     std::optional<BoundingBox> box;  ///< only what lies in it is loaded; in the file's own unit and frame
     InitialPoseSpec init;
+    bool salvage = false;  ///< of a damaged file what is whole is read; someone has agreed to that
     bool visible = true;
     std::array<std::uint8_t, 3> tint{160, 180, 200};  ///< colour by source
 

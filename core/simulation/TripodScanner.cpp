@@ -36,8 +36,8 @@ std::optional<double> echo(const TripodScene& scene, const TripodStation& statio
     return std::nullopt;
 }
 
-std::vector<Eigen::Vector3f> scanRaster(const TripodScene& scene, const TripodStation& station,
-                                        const Raster& raster) {
+LargeArray<Eigen::Vector3f> scanRaster(const TripodScene& scene, const TripodStation& station,
+                                       const Raster& raster) {
     const auto rows = static_cast<std::size_t>(raster.rows);
     const double rowStep = (station.highest_rad - station.lowest_rad) / raster.rows;
     const double columnStep = 2 * std::numbers::pi / raster.columns;
@@ -60,7 +60,7 @@ std::vector<Eigen::Vector3f> scanRaster(const TripodScene& scene, const TripodSt
             }
         }
     });
-    std::vector<Eigen::Vector3f> points;
+    LargeArray<Eigen::Vector3f> points;
     for (const auto& chunk : chunks) points.insert(points.end(), chunk.begin(), chunk.end());
     return points;
 }
@@ -80,7 +80,7 @@ PointCloud scanFromTripod(const TripodScene& scene, const TripodStation& station
     const double share = std::max(0.02, static_cast<double>(scanRaster(scene, station, coarse).size()) /
                                             (static_cast<double>(coarse.rows) * coarse.columns));
     const Raster raster = rasterOf(station, static_cast<double>(station.points) / share);
-    return {Eigen::Vector3d::Zero(), scanRaster(scene, station, raster), {}, {}};
+    return {Eigen::Vector3d::Zero(), scanRaster(scene, station, raster), LargeArray<Eigen::Vector3f>{}, {}};
 }
 
 }  // namespace vestige

@@ -54,6 +54,84 @@ class IoCli(unittest.TestCase):
             for value, expected in zip(row, truth):
                 self.assertAlmostEqual(value, expected, delta=1e-4)
 
+    def test_a_part_of_a_file_is_converted(self):
+        every = self.path / "every.csv"
+        done = run("--json", "convert", "--every", "2", self.cloud, every)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["points"], 1)
+        boxed = self.path / "boxed.csv"
+        done = run("convert", "--box", "576662,5188115,0,576663,5188116,1000", self.cloud, boxed)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(boxed.read_text().splitlines()), 2)
+        self.assertIn("576662.9701", boxed.read_text())
+        for wrong in ("1,2,3", "1,2,3,0,5,6", "1,2,3,4,5,x"):
+            self.assertEqual(run("convert", "--box", wrong, self.cloud, boxed).returncode, 2, wrong)
+        self.assertEqual(run("convert", "--every", "0", self.cloud, boxed).returncode, 2)
+
+    def test_what_does_not_fit_into_memory_is_refused_with_what_would(self):
+        vast = self.path / "vast.las"
+        self.assertEqual(run("convert", self.cloud, vast).returncode, 0)
+        record = int.from_bytes(vast.read_bytes()[105:107], "little")
+        start = int.from_bytes(vast.read_bytes()[96:100], "little")
+        points = 50_000_000_000
+        with open(vast, "r+b") as stream:
+            stream.seek(247)
+            stream.write(points.to_bytes(8, "little"))
+            stream.truncate(start + points * record)
+        for command in (["convert", vast, self.path / "out.ply"], ["screenshot", vast, "--out", self.path / "out.png"],
+                        ["preprocess", vast, self.path / "out.las"]):
+            done = run(*command)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("50 000 000 000 points need", done.stderr)
+            self.assertIn("--every ", done.stderr)
+            self.assertIn("--box ", done.stderr)
+            self.assertFalse(pathlib.Path(command[-1]).exists())
+
+    def test_a_cut_file_is_refused_and_its_whole_part_is_read_where_that_is_asked(self):
+        cut = self.path / "cut.ply"
+        self.assertEqual(run("convert", self.cloud, cut).returncode, 0)
+        cut.write_bytes(cut.read_bytes()[:-3])
+        refused = run("convert", cut, self.path / "a.las")
+        self.assertEqual(refused.returncode, 3)
+        self.assertIn(f"{cut}, byte ", refused.stderr)
+        self.assertIn("the first 1 of 2 points are whole and can be read where damage is allowed (--salvage",
+                      refused.stderr)
+        self.assertFalse((self.path / "a.las").exists())
+        done = run("convert", "--json", "--salvage", cut, self.path / "a.las")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["points"], 1)
+        self.assertIn("the file is damaged, byte ", answer["warnings"][0])
+        self.assertIn("the file is damaged, byte ", done.stderr)
+        done = run("preprocess", "--salvage", cut, self.path / "b.las")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("the file is damaged", done.stderr)
+
+    def test_hostile_files_end_with_a_sentence(self):
+        head = b"ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n"
+        hostile = {
+            "count.ply": head % b"99999999999999999" + b"end_header\n1 2 3\n",
+            "number.ply": head % b"1" + b"end_header\n1 2 1e999\n",
+            "infinite.xyz": b"1 2 3\n1 inf 3\n",
+            "far.xyz": b"1 2 3e17\n",
+            "name.csv": b"x,y,\x1b[31m\xff\n1,2,3\n",
+            "huge.stl": b" " * 80 + b"\xff\xff\xff\xff" + b"1234",
+            "zero.las": b"LASF" + bytes(400),
+            "empty.laz": b"",
+            "nothing.e57x": b"\0" * 5000,
+        }
+        for name, content in hostile.items():
+            file = self.path / name
+            file.write_bytes(content)
+            for verb in (["info", file], ["convert", file, self.path / "out.las"]):
+                done = subprocess.run([CLI, *map(str, verb)], capture_output=True, timeout=20)
+                self.assertEqual(done.returncode, 3, (name, done.stderr))
+                told = done.stderr.decode("utf-8")
+                self.assertIn(str(file), told)
+                self.assertNotIn("\x1b", told)
+                self.assertRegex(told, "expected|readable")
+            self.assertFalse((self.path / "out.las").exists())
+
     def test_convert_names_what_is_wrong(self):
         self.assertEqual(run("convert", self.cloud, self.path / "a.stl").returncode, 2)
         self.assertEqual(run("convert", self.cloud).returncode, 2)

@@ -38,16 +38,19 @@ Status readAll(Loaded& loaded, const std::function<void(const Arrival&)>& arrive
         Arrival arrival{layer.id, std::exchange(layer.data, nullptr), nullptr};
         const auto check = checkLoad(file, options, true, step);
         if (!check) {
-            loaded.problems.push_back(check.error());
+            loaded.unread.push_back({layer.path, check.error()});
         } else if (!check->estimate.fits()) {
             loaded.tooLarge.push_back({layer, *check});
         } else {
             auto data = loadLayerData(file, options, step);
             if (!data && data.error().code == ErrorCode::cancelled) return fail(data.error());
-            if (data)
+            if (data) {
                 layer.data = arrival.data = std::move(*data);
-            else
-                loaded.problems.push_back(data.error());
+                if (const std::string& damage = layer.data->info.damage; !damage.empty())
+                    loaded.remarks.push_back(layer.path.filename().string() + ": " + damage + ".");
+            } else {
+                loaded.unread.push_back({layer.path, data.error()});
+            }
         }
         arrived(arrival);
     }
@@ -75,14 +78,16 @@ Result<Loaded> readFiles(Loaded request, const ShowProgress& show, const JobCont
             control.sub(0, 0.9));
         if (!read) return fail(read.error());
         request.tooLarge = std::move(shown.tooLarge);
-        request.problems = std::move(shown.problems);
+        request.unread = std::move(shown.unread);
+        request.remarks = std::move(shown.remarks);
     }
     const Status read = readAll(
         request, [](const Arrival&) {}, control);
     if (!read) return fail(read.error());
     std::erase_if(request.layers, [](const Layer& layer) { return !layer.data; });
     nameLayers(request.layers, request.scene);
-    request.remarks = recogniseUnits(request.layers, request.scene);
+    for (const std::string& sentence : recogniseUnits(request.layers, request.scene))
+        request.remarks.push_back(sentence);
     return request;
 }
 

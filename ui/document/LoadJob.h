@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,6 +12,12 @@
 namespace vestige {
 
 /// What loading does on the worker's thread; Loader enters it on the GUI thread.
+
+/// A layer whose file could not be read.
+struct Unread {
+    std::filesystem::path file;
+    Error problem;
+};
 
 /// A layer whose file does not fit into memory.
 struct TooLarge {
@@ -29,7 +36,7 @@ struct Loaded {
     SceneState scene;  ///< that the layers' paths belong to
     std::vector<Layer> layers;
     std::vector<TooLarge> tooLarge;
-    std::vector<Error> problems;
+    std::vector<Unread> unread;
     std::vector<std::string> remarks;
 };
 

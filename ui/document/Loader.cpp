@@ -89,21 +89,22 @@ Status Loader::openCase(const std::filesystem::path& file) {
         [this, file, replace, shown](Result<Loaded> loaded) {
             if (*shown >= 0 && *shown != replacements_) return;
             dropPreviews(false);
-            if (!loaded) return tell({loaded.error()}, {});
+            if (!loaded) return tell(loaded.error());
             if (*shown < 0) replace(std::move(loaded->layers));
             remark(loaded->remarks);
-            tell(loaded->problems, loaded->tooLarge);
+            tell(*loaded, false);
             emit opened(toQt(file));
         });
     return firstOf(problems_);
 }
 
-Status Loader::addFiles(const std::vector<std::filesystem::path>& files) {
+Status Loader::addFiles(const std::vector<std::filesystem::path>& files, bool salvage) {
     if (files.empty()) return {};
     std::vector<Layer> layers;
     for (const auto& file : files) {
         Layer layer;
         layer.path = std::filesystem::absolute(file).lexically_normal();
+        layer.salvage = salvage;
         layers.push_back(std::move(layer));
     }
     add(std::move(layers));
@@ -134,10 +135,10 @@ void Loader::add(std::vector<Layer> layers) {
         [this, before = replacements_](Result<Loaded> loaded) {
             if (before != replacements_) return;
             dropPreviews(!loaded);
-            if (!loaded) return tell({loaded.error()}, {});
+            if (!loaded) return tell(loaded.error());
             enter(loaded->layers);
             remark(loaded->remarks);
-            tell(loaded->problems, loaded->tooLarge);
+            tell(*loaded, true);
             for (const Layer& layer : loaded->layers) emit opened(toQt(layer.path));
         });
 }
@@ -159,10 +160,10 @@ void Loader::readAgain(const Layer& layer) {
         },
         [this, before = replacements_](Result<Loaded> loaded) {
             if (before != replacements_) return;
-            if (!loaded) return tell({loaded.error()}, {});
+            if (!loaded) return tell(loaded.error());
             for (const Layer& read : loaded->layers)
                 if (read.data) document_.attachData(read.id, read.data);
-            tell(loaded->problems, loaded->tooLarge);
+            tell(*loaded, false);
         });
 }
 
@@ -200,11 +201,23 @@ void Loader::remark(const std::vector<std::string>& remarks) {
     if (!sentences.isEmpty()) notices_.inform(sentences.join("\n"));
 }
 
-void Loader::tell(const std::vector<Error>& problems, const std::vector<TooLarge>& tooLarge) {
-    problems_ = problems;
-    for (const Error& problem : problems) notices_.failed(problem);
-    for (const TooLarge& large : tooLarge) {
-        problems_.push_back(vestige::tooLarge(large.layer.path, large.check.estimate, {}));
+void Loader::tell(const Error& error) {
+    problems_ = {error};
+    notices_.failed(error);
+}
+
+void Loader::tell(const Loaded& loaded, bool offering) {
+    problems_.clear();
+    for (const auto& [file, problem] : loaded.unread) {
+        problems_.push_back(problem);
+        if (offering && problem.salvageable)
+            notices_.offer(problem, tr("Load what is whole"),
+                           [this, file = file] { static_cast<void>(addFiles({file}, true)); });
+        else
+            notices_.failed(problem);
+    }
+    for (const TooLarge& large : loaded.tooLarge) {
+        problems_.push_back(tooLarge(large.layer.path, large.check.estimate, {}));
         offer(large);
     }
 }

@@ -14,6 +14,7 @@ class Document;
 class JobRunner;
 class Notices;
 struct Arrival;
+struct Loaded;
 struct Progress;
 struct TooLarge;
 
@@ -31,8 +32,9 @@ class Loader : public QObject {
     /// everything is loaded on return and the first error of a layer is returned, too.
     Status openCase(const std::filesystem::path& file);
     /// Adds clouds and meshes as layers, in one step of the history (large ones in one before the others).
-    /// Returns like openCase. Cancelled, the layers are taken back.
-    Status addFiles(const std::vector<std::filesystem::path>& files);
+    /// Returns like openCase. Cancelled, the layers are taken back. Of a damaged file it is offered to load
+    /// what is whole, which `salvage` does at once.
+    Status addFiles(const std::vector<std::filesystem::path>& files, bool salvage = false);
 
   signals:
     /// A case was opened, or files were added.
@@ -45,7 +47,9 @@ class Loader : public QObject {
     void take(const std::vector<Arrival>& arrivals);
     void dropPreviews(bool takeBack);
     void remark(const std::vector<std::string>& remarks);
-    void tell(const std::vector<Error>& problems, const std::vector<TooLarge>& tooLarge);
+    void tell(const Error& error);
+    /// Of files; `offering`: what is whole of a damaged one is to be added.
+    void tell(const Loaded& loaded, bool offering);
     void offer(const TooLarge& tooLarge);
 
     Document& document_;

@@ -26,6 +26,10 @@ class Notices : public QObject {
     void informOf(const QString& sentence, const QString& path) { emit informedOf(sentence, path); }
     /// A sentence with buttons; it stays until one is pressed or it is closed.
     void offer(const QString& sentence, const std::vector<Offer>& offers) { emit offered(sentence, offers); }
+    /// A failure with a way on: a button `label` beside the sentence does `action` on the GUI thread.
+    void offer(const Error& error, const QString& label, const std::function<void()>& action) {
+        offer(QString::fromStdString(error.sentence()) + ".", {{label, action}});
+    }
     /// A cancelled job is no failure and is not shown as one.
     void failed(const Error& error) {
         if (error.code == ErrorCode::cancelled)

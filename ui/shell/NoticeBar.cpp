@@ -6,13 +6,12 @@
 #include <QStyle>
 #include <QToolButton>
 #include <QUrl>
-
-#include "ui/document/Notices.h"
+#include <utility>
 
 namespace vestige {
 
 NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
-    : QWidget(parent), text_(new QLabel), open_(new QToolButton), offers_(new QWidget) {
+    : QWidget(parent), text_(new QLabel), offers_(new QHBoxLayout) {
     setObjectName("notice");
     setAttribute(Qt::WA_StyledBackground);
     auto* row = new QHBoxLayout(this);
@@ -20,26 +19,22 @@ NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row->addWidget(text_, 1);
-    open_->setText(tr("Show"));
-    row->addWidget(open_);
-    new QHBoxLayout(offers_);
-    offers_->layout()->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(offers_);
+    row->addLayout(offers_);
     auto* close = new QToolButton;
     close->setText(QString::fromUtf8("×"));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close this message"));
     row->addWidget(close);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
-    connect(open_, &QToolButton::clicked, this,
-            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(path_)); });
     hide_.setSingleShot(true);
     connect(&hide_, &QTimer::timeout, this, &QWidget::hide);
-    connect(&notices, &Notices::informed, this, [this](const QString& s) { show(s, false, {}); });
-    connect(&notices, &Notices::informedOf, this,
-            [this](const QString& s, const QString& path) { show(s, false, path); });
-    connect(&notices, &Notices::warned, this, [this](const QString& s) { show(s, true, {}); });
-    connect(&notices, &Notices::offered, this, &NoticeBar::offer);
+    connect(&notices, &Notices::informed, this, [this](const QString& s) { show(s, false); });
+    connect(&notices, &Notices::informedOf, this, [this](const QString& s, const QString& path) {
+        show(s, false, {{tr("Show"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }}});
+    });
+    connect(&notices, &Notices::warned, this, [this](const QString& s) { show(s, true); });
+    connect(&notices, &Notices::offered, this,
+            [this](const QString& s, const std::vector<Notices::Offer>& offers) { show(s, true, offers); });
     hide();
 }
 
@@ -47,12 +42,26 @@ QString NoticeBar::text() const {
     return isHidden() ? QString() : text_->text();
 }
 
-void NoticeBar::show(const QString& sentence, bool warning, const QString& path) {
-    path_ = path;
-    qDeleteAll(offers_->findChildren<QToolButton*>());
-    offers_->hide();
+void NoticeBar::show(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers) {
+    // One of them may be what was pressed just now.
+    for (QToolButton* button : std::exchange(buttons_, {})) {
+        button->setObjectName({});
+        button->hide();
+        button->deleteLater();
+    }
+    for (const Notices::Offer& offer : offers) {
+        auto* button = new QToolButton;
+        button->setObjectName(buttons_.empty() ? QString("notice-button")
+                                               : QString("notice-button-%1").arg(buttons_.size() + 1));
+        button->setText(offer.text);
+        connect(button, &QToolButton::clicked, this, [this, take = offer.take] {
+            hide();
+            take();
+        });
+        offers_->addWidget(button);
+        buttons_.push_back(button);
+    }
     text_->setText(sentence);
-    open_->setVisible(!path.isEmpty());
     setProperty("warning", warning);
     style()->unpolish(this);
     style()->polish(this);
@@ -60,23 +69,7 @@ void NoticeBar::show(const QString& sentence, bool warning, const QString& path)
     if (warning)
         hide_.stop();
     else
-        hide_.start(path.isEmpty() ? 8000 : 30000);
-}
-
-void NoticeBar::offer(const QString& sentence, const std::vector<Notices::Offer>& offers) {
-    show(sentence, true, {});
-    for (std::size_t i = 0; i < offers.size(); ++i) {
-        auto* button = new QToolButton;
-        button->setObjectName(QString("offer-%1").arg(i + 1));
-        button->setText(offers[i].text);
-        // Taking the offer may show another one in the place of this, buttons and all.
-        connect(button, &QToolButton::clicked, this, [this, take = offers[i].take] {
-            hide();
-            QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
-        });
-        offers_->layout()->addWidget(button);
-    }
-    offers_->show();
+        hide_.start(offers.empty() ? 8000 : 30000);
 }
 
 }  // namespace vestige

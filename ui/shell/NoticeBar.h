@@ -6,12 +6,13 @@
 
 #include "ui/document/Notices.h"
 
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
 namespace vestige {
 
-/// One sentence above the view; warnings stay until closed, others go by themselves.
+/// One sentence above the view, perhaps with buttons; warnings stay until closed, others go by themselves.
 class NoticeBar : public QWidget {
     Q_OBJECT
 
@@ -20,13 +21,11 @@ class NoticeBar : public QWidget {
     QString text() const;
 
   private:
-    void show(const QString& sentence, bool warning, const QString& path);
-    void offer(const QString& sentence, const std::vector<Notices::Offer>& offers);
+    void show(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers = {});
 
     QLabel* text_;
-    QToolButton* open_;
-    QWidget* offers_;  ///< a button for each
-    QString path_;
+    QHBoxLayout* offers_;
+    std::vector<QToolButton*> buttons_;
     QTimer hide_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/CleanText.h"
 #include "core/io/Bytes.h"
 
 namespace vestige {
@@ -19,10 +20,13 @@ const CrsRecord* find(const std::vector<CrsRecord>& records, std::uint16_t id) {
     return found == records.end() ? nullptr : &*found;
 }
 
+/// Up to the first zero byte; WKT may stand on several lines, which become one.
 std::string printable(const std::uint8_t* begin, std::size_t size) {
-    std::string text;
-    for (std::size_t i = 0; i < size && begin[i] != 0; ++i)
-        text += begin[i] >= ' ' || begin[i] == '\n' || begin[i] == '\t' ? static_cast<char>(begin[i]) : '?';
+    std::string_view bytes(reinterpret_cast<const char*>(begin), size);
+    std::string joined(bytes.substr(0, bytes.find('\0')));
+    std::replace_if(
+        joined.begin(), joined.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    std::string text = cleanText(joined, joined.size());
     while (!text.empty() && (text.back() == ' ' || text.back() == '|')) text.pop_back();
     return text;
 }

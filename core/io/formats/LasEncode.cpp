@@ -23,9 +23,9 @@ void storeText(std::byte* at, std::string_view text, std::size_t room) {
     for (std::size_t i = 0; i < std::min(text.size(), room); ++i) at[i] = static_cast<std::byte>(text[i]);
 }
 
-template <class Value>
-Value valueAt(const std::vector<Value>& values, std::size_t i) {
-    return values.empty() ? Value{} : values[i];
+template <class Values>
+typename Values::value_type valueAt(const Values& values, std::size_t i) {
+    return values.empty() ? typename Values::value_type{} : values[i];
 }
 
 std::uint16_t globalEncoding(const LasWriteOptions& options) {

@@ -5,25 +5,15 @@
 #include "core/io/Describe.h"
 #include "core/io/LasWriter.h"
 #include "core/io/MappedFile.h"
+#include "core/io/formats/Copc.h"
 #include "core/io/formats/LasCrs.h"
-#include "core/io/formats/LazReader.h"
+#include "core/io/formats/LasSource.h"
 
 namespace vestige {
 namespace {
 
-/// A file may promise what it does not hold; memory for more than this comes as points come.
-constexpr std::uint64_t kMostReserved = 1 << 20;
-
-void readPoints(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job,
-                const LasPointHandler& handle) {
-    if (header.compressed)
-        readLazPoints(file, header, job, handle);
-    else
-        readLasPoints(file, header, job, handle);
-}
-
 /// What the header says, and how it agrees with the points' bounds, already in `info`.
-void describeHeader(const LasHeader& header, ReadJob& job, FileInfo& info) {
+void describeHeader(const LasHeader& header, ReadJob& job, FileInfo& info, bool wholeFile = true) {
     info.path = job.path();
     info.format = header.compressed ? "LAZ" : "LAS";
     info.version =
@@ -35,7 +25,7 @@ void describeHeader(const LasHeader& header, ReadJob& job, FileInfo& info) {
     info.gpsTimeIsAdjustedStandard = (header.globalEncoding & 1) != 0;
     info.creationDayYear = {header.creationDay, header.creationYear};
     info.generatingSoftware = header.generatingSoftware;
-    if (info.points > 0) {
+    if (info.points > 0 && wholeFile) {
         const Eigen::Vector3d tolerance = 2 * header.scale.cwiseAbs();
         const bool agree =
             ((info.bounds.min - header.bounds.min).cwiseAbs().array() <= tolerance.array()).all() &&
@@ -43,6 +33,53 @@ void describeHeader(const LasHeader& header, ReadJob& job, FileInfo& info) {
         if (!agree) job.warn("the bounds in the header are not those of the points");
     }
     info.warnings = std::move(job.warnings());
+}
+
+/// What a salvaged file lacks.
+std::string damageOf(const LasSource& source, std::uint64_t read, const ReadOptions& options) {
+    const LasHeader& header = source.header();
+    const bool ended = source.points() < header.promisedPoints || !source.damage().empty();
+    if (!options.salvage || !ended) return {};
+    const std::string why =
+        source.damage().empty() ? "the file ends early" : "the rest cannot be read: " + source.damage();
+    return "of " + std::to_string(header.promisedPoints) + " points " +
+           (options.wholeFile() ? "the first " + std::to_string(read) + " are whole and were read; "
+                                : "only the first are whole and were read; ") +
+           why;
+}
+
+/// What of a refused file could be salvaged, offered with the refusal.
+void offerWhatIsWhole(std::span<const std::byte> file, const ReadJob& refused, Error& error) {
+    if (error.code != ErrorCode::input) return;
+    try {
+        ReadJob job(refused.path(), {});
+        const LasHeader header = parseLasHeader(file, job, true);
+        const std::uint64_t points = LasSource(file, header, job, true, true).points();
+        if (points > 0) offerSalvage(error, firstOf(points, header.promisedPoints, "point"));
+    } catch (const ErrorException&) {
+        // Nothing of it can be read: the refusal says why.
+    }
+}
+
+/// All that options want of a file.
+LoadedGeometry readAsWanted(std::span<const std::byte> file, const ReadOptions& options, ReadJob& job) {
+    const LasHeader header = parseLasHeader(file, job, options.salvage);
+    const bool drawn = options.attributes == ReadOptions::Attributes::drawn;
+    LasSource source(file, header, job, drawn, options.salvage);
+    std::vector<LasRange> ranges = source.ranges();
+    if (options.box)
+        if (const auto nodes = copcNodes(file, header, job)) ranges = rangesTouching(*nodes, *options.box);
+    LoadedGeometry result;
+    result.geometry.vertices = gatherLas(source, ranges, options, job);
+    describeGeometry(result.geometry, result.info);
+    if (drawn) {
+        const LasPointLayout& layout = lasPointLayout(header.pointFormat);
+        result.info.attributes = lasAttributes(layout, layout.gpsTime != 0);
+    }
+    describeHeader(header, job, result.info, options.wholeFile());
+    result.info.damage = damageOf(source, result.geometry.vertices.size(), options);
+    result.heeded = true;
+    return result;
 }
 
 }  // namespace
@@ -60,30 +97,73 @@ Result<FileInfo> LasFormat::info(const std::filesystem::path& file, const JobCon
         if (!content) return fail(content.error());
         ReadJob job(file, control);
         const LasHeader header = parseLasHeader(content->bytes(), job);
+        LasSource source(content->bytes(), header, job, false, false);
+        const std::vector<LasRange> ranges = source.ranges();
+        std::vector<LasSummary> parts(ranges.size());
+        source.read(ranges, [&](std::size_t range, std::uint64_t, std::span<const LasPoint> points) {
+            for (const LasPoint& point : points) parts[range].add(header, point);
+        });
         LasSummary summary;
-        readPoints(content->bytes(), header, job, [&](const LasPoint& point) { summary.add(point); });
+        for (const LasSummary& part : parts) summary.add(part);
         FileInfo info;
         summary.describe(header, info);
+        const auto nodes = copcNodes(content->bytes(), header, job);
         describeHeader(header, job, info);
+        if (nodes) info.version += ", COPC of " + counted(nodes->size(), "node");
         return info;
     });
 }
 
-Result<LoadedGeometry> LasFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
-                                       const JobControl& control) const {
-    return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
+Result<FileInfo> LasFormat::peek(const std::filesystem::path& file, const JobControl& control) const {
+    return guarded(file.string(), [&]() -> Result<FileInfo> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
         ReadJob job(file, control);
         const LasHeader header = parseLasHeader(content->bytes(), job);
-        LasCloud cloud(header);
-        cloud.reserve(std::min(header.points, header.compressed ? kMostReserved : header.points));
-        readPoints(content->bytes(), header, job, [&](const LasPoint& point) { cloud.add(point); });
+        FileInfo info;
+        const LasPointLayout& layout = lasPointLayout(header.pointFormat);
+        info.attributes = lasAttributes(layout, layout.gpsTime != 0);
+        describeHeader(header, job, info);
+        info.points = header.points;
+        if (header.bounds.min.allFinite() && header.bounds.max.allFinite()) info.bounds = header.bounds;
+        return info;
+    });
+}
+
+Result<std::optional<LoadedGeometry>> LasFormat::preview(const std::filesystem::path& file,
+                                                         std::size_t points,
+                                                         const JobControl& control) const {
+    return guarded(file.string(), [&]() -> Result<std::optional<LoadedGeometry>> {
+        const Result<MappedFile> content = MappedFile::open(file);
+        if (!content) return fail(content.error());
+        ReadJob job(file, control);
+        const LasHeader header = parseLasHeader(content->bytes(), job);
+        LasSource source(content->bytes(), header, job, true, false);
+        ReadOptions options;
+        options.attributes = ReadOptions::Attributes::drawn;
+        const auto nodes = copcNodes(content->bytes(), header, job);
         LoadedGeometry result;
-        result.geometry.vertices = std::move(cloud).build(job);
+        result.geometry.vertices =
+            gatherLas(source, nodes ? coarseRanges(*nodes, points) : source.sample(points), options, job);
         describeGeometry(result.geometry, result.info);
         describeHeader(header, job, result.info);
-        return result;
+        result.heeded = true;
+        return std::optional(std::move(result));
+    });
+}
+
+Result<LoadedGeometry> LasFormat::read(const std::filesystem::path& file, const ReadOptions& options,
+                                       const JobControl& control) const {
+    return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
+        const Result<MappedFile> content = MappedFile::open(file);
+        if (!content) return fail(content.error());
+        ReadJob job(file, control, options.salvage);
+        try {
+            return readAsWanted(content->bytes(), options, job);
+        } catch (ErrorException& refusal) {
+            if (!options.salvage) offerWhatIsWhole(content->bytes(), job, refusal.error);
+            throw;
+        }
     });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/io/Bytes.h"
+#include "core/io/Coordinates.h"
 
 namespace vestige {
 namespace {
@@ -11,6 +12,9 @@ constexpr std::size_t kSmallestHeader = 227;
 constexpr std::size_t kHeader14 = 375;
 constexpr std::size_t kRecordHeader = 54;
 constexpr std::size_t kExtendedRecordHeader = 60;
+/// The 32 bits of a coordinate would span a few micrometres, or more than the Earth's orbit.
+constexpr double kFinestScale = 1e-15;
+constexpr double kCoarsestScale = 1e6;
 
 /// A text field: up to the first zero byte, what is not printable shown as '?'.
 std::string fieldText(std::span<const std::byte> bytes) {
@@ -26,7 +30,8 @@ std::string fieldText(std::span<const std::byte> bytes) {
 
 class HeaderParser {
   public:
-    HeaderParser(std::span<const std::byte> file, ReadJob& job) : file_(file), job_(job) {}
+    HeaderParser(std::span<const std::byte> file, ReadJob& job, bool salvage)
+        : file_(file), job_(job), salvage_(salvage) {}
 
     LasHeader parse() {
         if (file_.size() < 4 || fieldText(file_.first(4)) != "LASF")
@@ -97,11 +102,14 @@ class HeaderParser {
         if (header_.versionMinor >= 4)
             if (const auto extended = at<std::uint64_t>(247); extended != 0) header_.points = extended;
         const std::size_t available = file_.size() - header_.pointOffset;
-        if (!header_.compressed && header_.points > available / header_.recordLength)
+        header_.promisedPoints = header_.points;
+        if (header_.compressed || header_.points <= available / header_.recordLength) return;
+        header_.points = available / header_.recordLength;
+        if (!salvage_)
             job_.refuseByte(header_.pointOffset,
-                            "the header promises " + std::to_string(header_.points) + " points of " +
+                            "the header promises " + std::to_string(header_.promisedPoints) + " points of " +
                                 std::to_string(header_.recordLength) + " bytes, but the file has room for " +
-                                std::to_string(available / header_.recordLength),
+                                std::to_string(header_.points),
                             "a file that is whole");
     }
 
@@ -113,11 +121,14 @@ class HeaderParser {
             header_.bounds.max[axis] = at<double>(179 + 16 * place);
             header_.bounds.min[axis] = at<double>(187 + 16 * place);
         }
-        if (!header_.scale.allFinite() || (header_.scale.array() == 0).any())
-            job_.refuseByte(131, "a scale factor is zero or no finite number", "a scale such as 0.001");
-        if (!(header_.offset.cwiseAbs() + 4294967296.0 * header_.scale.cwiseAbs()).allFinite())
-            job_.refuseByte(155, "scale and offset give coordinates that are no finite numbers",
-                            "finite offsets");
+        // Also catches what is no number.
+        const auto scale = header_.scale.array().abs();
+        if (!(scale >= kFinestScale && scale <= kCoarsestScale).all())
+            job_.refuseByte(131, "a scale factor is zero, no finite number or absurd",
+                            "a scale such as 0.001");
+        if (!isUsable(header_.offset))
+            job_.refuseByte(155, "an offset is no finite number, or farther from 0 than any place on Earth",
+                            "offsets up to 1e10");
     }
 
     void parseRecords() {
@@ -164,6 +175,7 @@ class HeaderParser {
 
     std::span<const std::byte> file_;
     ReadJob& job_;
+    bool salvage_;
     LasHeader header_;
 };
 
@@ -191,8 +203,8 @@ const LasRecord* LasHeader::find(std::string_view userId, std::uint16_t recordId
     return found == records.end() ? nullptr : &*found;
 }
 
-LasHeader parseLasHeader(std::span<const std::byte> file, ReadJob& job) {
-    return HeaderParser(file, job).parse();
+LasHeader parseLasHeader(std::span<const std::byte> file, ReadJob& job, bool salvage) {
+    return HeaderParser(file, job, salvage).parse();
 }
 
 }  // namespace vestige

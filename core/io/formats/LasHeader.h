@@ -35,7 +35,8 @@ struct LasHeader {
     int pointFormat = 0;  ///< 0 to 10
     bool compressed = false;
     std::size_t recordLength = 0;
-    std::uint64_t points = 0;
+    std::uint64_t points = 0;          ///< that the file has room for
+    std::uint64_t promisedPoints = 0;  ///< more than `points` only of a salvaged file
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     BoundingBox bounds;  ///< as the header states them
@@ -54,7 +55,7 @@ struct LasPointLayout {
 const LasPointLayout& lasPointLayout(int pointFormat);
 
 /// Refuses, at its byte, a header that is not LAS 1.0 to 1.4 or does not fit the file. Damaged records after
-/// the header are left out with a warning.
-LasHeader parseLasHeader(std::span<const std::byte> file, ReadJob& job);
+/// the header are left out with a warning. With `salvage`, fewer points than promised are no reason.
+LasHeader parseLasHeader(std::span<const std::byte> file, ReadJob& job, bool salvage = false);
 
 }  // namespace vestige

@@ -12,6 +12,8 @@ constexpr std::size_t kRecordHeader = 54;
 constexpr std::size_t kFixedPart = 34;  // of LASzip's record, before its items
 constexpr std::size_t kItemSize = 6;
 constexpr std::size_t kChunkTableHeader = 8;
+constexpr std::uint32_t kVariableChunks = 0xffffffff;
+constexpr std::uint64_t kTypicalChunk = 50000;
 
 const LasRecord* lazRecord(const LasHeader& header) {
     return header.find("laszip encoded", 22204);
@@ -75,10 +77,14 @@ void checkItems(std::span<const std::byte> file, const LasHeader& header, const 
     }
 }
 
-/// Point formats 6 and later: chunk after chunk a whole point, the number of points, the size of each layer,
-/// the layers. They must fill the place up to the chunk table exactly.
-void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::size_t table,
-                 const ReadJob& job) {
+/// What lies in whole chunks of point formats 6 and later.
+struct WholeChunks {
+    std::uint64_t points = 0;
+    std::size_t end = 0;  ///< the byte behind the last whole chunk
+};
+
+/// Chunk after chunk a whole point, the number of points, the size of each layer, the layers, up to `limit`.
+WholeChunks wholeChunks(std::span<const std::byte> file, const LasHeader& header, std::size_t limit) {
     constexpr std::size_t kPointLayers = 9;
     const std::size_t extraBytes = header.recordLength - lasPointLayout(header.pointFormat).size;
     // Colour and wave packet are one layer each, colour with infrared two, each extra byte one.
@@ -86,21 +92,41 @@ void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::
     const std::size_t layers =
         kPointLayers + kMoreLayers.at(static_cast<std::size_t>(header.pointFormat - 6)) + extraBytes;
     const std::size_t head = header.recordLength + 4 + 4 * layers;
-    std::size_t place = header.pointOffset + 8;
-    std::uint64_t points = 0;
-    while (place < table) {
+    WholeChunks whole{0, header.pointOffset + 8};
+    while (limit > whole.end && limit - whole.end >= head) {
         std::size_t size = head;
-        for (std::size_t layer = 0; layer < layers && table - place >= head; ++layer)
-            size += load<std::uint32_t>(file.data() + place + header.recordLength + 4 + 4 * layer);
-        if (table - place < size)
-            job.refuseByte(place, "a chunk of compressed points is longer than the file has room for",
-                           std::to_string(table - place) + " bytes at most");
-        points += load<std::uint32_t>(file.data() + place + header.recordLength);
-        place += size;
+        for (std::size_t layer = 0; layer < layers; ++layer)
+            size += load<std::uint32_t>(file.data() + whole.end + header.recordLength + 4 + 4 * layer);
+        if (limit - whole.end < size) break;
+        whole.points += load<std::uint32_t>(file.data() + whole.end + header.recordLength);
+        whole.end += size;
     }
-    if (points != header.points)
-        job.refuseByte(header.pointOffset, "the chunks hold " + std::to_string(points) + " points",
+    return whole;
+}
+
+/// The layered chunks must fill the place up to the chunk table exactly.
+void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::size_t table,
+                 const ReadJob& job) {
+    const WholeChunks whole = wholeChunks(file, header, table);
+    if (whole.end != table)
+        job.refuseByte(whole.end, "a chunk of compressed points is longer than the file has room for",
+                       std::to_string(table - whole.end) + " bytes at most");
+    if (whole.points != header.points)
+        job.refuseByte(header.pointOffset, "the chunks hold " + std::to_string(whole.points) + " points",
                        std::to_string(header.points) + " as the header says");
+}
+
+/// Arithmetic coding packs equal points into next to nothing, so a short file could ask for any amount of
+/// memory. Scans are packed to a fifth or a tenth; a header that promises a thousand times is none of a scan.
+void checkPromise(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
+    constexpr std::uint64_t kAlwaysFine = std::uint64_t{1} << 20;
+    constexpr std::uint64_t kMostGrowth = 1000;
+    const std::uint64_t most = kMostGrowth * (file.size() - header.pointOffset) / header.recordLength;
+    if (header.points > std::max(kAlwaysFine, most))
+        job.refuseByte(header.versionMinor >= 4 ? 247 : 107,
+                       "the header promises " + std::to_string(header.points) +
+                           " points, more than the compressed bytes of any scan hold",
+                       std::to_string(std::max(kAlwaysFine, most)) + " at most");
 }
 
 /// The place of the chunk table.
@@ -130,11 +156,12 @@ std::size_t checkChunkTable(std::span<const std::byte> file, const LasHeader& he
 
 }  // namespace
 
-void checkLaz(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job) {
+LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job, bool salvage) {
     const LasRecord* record = lazRecord(header);
     if (!record || record->content.size() < kFixedPart + kItemSize || record->content.size() > 65535)
         job.refuseByte(header.headerSize, "a compressed file without a whole record of LASzip",
                        "the record 'laszip encoded' 22204");
+    checkPromise(file, header, job);
     const std::size_t place = placeOf(file, *record);
     const auto compressor = load<std::uint16_t>(record->content.data());
     const auto coder = load<std::uint16_t>(record->content.data() + 2);
@@ -145,12 +172,24 @@ void checkLaz(std::span<const std::byte> file, const LasHeader& header, const Re
         job.refuseByte(place + 12, "LASzip's record names chunks of no points", "a chunk size such as 50000");
     const bool layered = compressor == 3;
     checkItems(file, header, *record, layered, job);
-    if (compressor == 1) return;
-    const std::size_t table = checkChunkTable(file, header, job);
-    if (layered) checkLayers(file, header, table, job);
+    LazPlan plan{header.points};
+    if (compressor == 1) return plan;
+    plan.variableChunks = chunkSize == kVariableChunks;
+    plan.chunkSize = plan.variableChunks ? kTypicalChunk : chunkSize;
+    try {
+        const std::size_t table = checkChunkTable(file, header, job);
+        if (layered) checkLayers(file, header, table, job);
+    } catch (const ErrorException&) {
+        if (!salvage || plan.variableChunks || file.size() - header.pointOffset < 8) throw;
+        plan.withoutTable = true;
+        plan.chunkSize = 0;
+        if (layered) plan.points = std::min(header.points, wholeChunks(file, header, file.size()).points);
+    }
+    return plan;
 }
 
-std::vector<std::byte> lazPrefix(std::span<const std::byte> file, const LasHeader& header) {
+std::vector<std::byte> lazPrefix(std::span<const std::byte> file, const LasHeader& header,
+                                 const LazPlan& plan) {
     std::vector<std::byte> prefix(header.pointOffset);
     std::copy_n(file.begin(), header.headerSize, prefix.begin());
     const LasRecord& record = *lazRecord(header);
@@ -162,6 +201,13 @@ std::vector<std::byte> lazPrefix(std::span<const std::byte> file, const LasHeade
     }
     const std::byte* source = record.content.data() - kRecordHeader;
     std::copy_n(source, kRecordHeader + record.content.size(), prefix.data() + header.headerSize);
+    if (plan.withoutTable) {
+        // LASzip's own mark of a writer that did not come to its chunk table: the table's place is the first
+        // chunk's.
+        prefix.resize(header.pointOffset + 8);
+        store<std::int64_t>(prefix.data() + header.pointOffset,
+                            static_cast<std::int64_t>(header.pointOffset));
+    }
     return prefix;
 }
 

@@ -1,16 +1,28 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/io/formats/LasHeader.h"
 
 namespace vestige {
 
-/// Refuses a compressed file whose LASzip record or chunk table does not fit its header or size.
-void checkLaz(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job);
+/// How a checked file's compressed points can be read.
+struct LazPlan {
+    std::uint64_t points = 0;     ///< that are there; fewer than the header says only of a salvaged file
+    std::uint64_t chunkSize = 0;  ///< points after which decoding can begin anew; 0: only from the start
+    bool variableChunks = false;  ///< chunks of differing size: beginning anew costs some of a chunk
+    bool withoutTable = false;    ///< salvaged: chunks are found one behind the other
+};
+
+/// Refuses a compressed file whose LASzip record or chunk table does not fit its header or size, and one that
+/// promises more points than its bytes can explain. With `salvage`, a file that was cut off is planned as far
+/// as its chunks are whole.
+LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const ReadJob& job, bool salvage);
 
 /// What stands before the points, rewritten from checked values for LASzip: header, LASzip's record, nothing
 /// else; as long as in the file, so that places inside the file stay true.
-std::vector<std::byte> lazPrefix(std::span<const std::byte> file, const LasHeader& header);
+std::vector<std::byte> lazPrefix(std::span<const std::byte> file, const LasHeader& header,
+                                 const LazPlan& plan);
 
 }  // namespace vestige

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/io/Coordinates.h"
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
 #include "core/io/PointSink.h"
@@ -18,6 +19,18 @@ class ObjReader {
     ObjReader(std::string_view text, ReadJob& job) : scanner_(text), size_(text.size()), job_(job) {}
 
     TriangleMesh read() {
+        job_.untilDamage([&] { readLines(); },
+                         [&] {
+                             return WholePart{vertices_.size(),
+                                              "the first " + counted(vertices_.size(), "point") + " and " +
+                                                  counted(polygons_.faces(), "face")};
+                         });
+        if (!job_.damage().empty()) polygons_.dropBeyond(vertices_.size());
+        return build();
+    }
+
+  private:
+    void readLines() {
         while (!scanner_.atEnd()) {
             line_ = scanner_.line();
             if ((line_ & 0xffff) == 0) job_.report(scanner_.offset(), size_);
@@ -26,11 +39,9 @@ class ObjReader {
         if (vertices_.empty()) job_.refuseLine(line_, "the file has no vertices", "lines 'v x y z'");
         if (largestCorner_ >= vertices_.size())
             job_.refuseLine(largestLine_, "a face names vertex " + std::to_string(largestCorner_ + 1),
-                            counted(vertices_.size(), "vertex") + " in the file");
-        return build();
+                            "a vertex of the file's " + std::to_string(vertices_.size()));
     }
 
-  private:
     void readLine(std::string_view line) {
         const std::string_view keyword = takeToken(line);
         if (keyword == "v")
@@ -53,8 +64,8 @@ class ObjReader {
     void readVertex(std::string_view line) {
         Vertex vertex;
         for (double& coordinate : vertex.position) coordinate = number(line, "v x y z");
-        if (!vertex.position.allFinite())
-            job_.refuseLine(line_, "a coordinate is no finite number", "finite coordinates");
+        if (!isUsable(vertex.position))
+            job_.refuseLine(line_, std::string(kUnusableCoordinate), std::string(kUsableCoordinates));
         std::vector<double> more;
         while (!trimmed(line).empty() && more.size() < 4) more.push_back(number(line, "v x y z [r g b]"));
         // x y z r g b, or x y z w r g b; a lone w weighs curves and moves no vertex.
@@ -154,12 +165,12 @@ bool ObjFormat::recognises(std::span<const std::byte>, std::string_view) const {
     return false;  // OBJ has no signature; the extension says so
 }
 
-Result<LoadedGeometry> ObjFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+Result<LoadedGeometry> ObjFormat::read(const std::filesystem::path& file, const ReadOptions& options,
                                        const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
-        ReadJob job(file, control);
+        ReadJob job(file, control, options.salvage);
         TriangleMesh mesh = ObjReader(content->text(), job).read();
         return loaded(std::move(mesh), "OBJ", "", job);
     });

@@ -63,12 +63,12 @@ bool PcdFormat::recognises(std::span<const std::byte> head, std::string_view) co
            (text.starts_with("FIELDS ") && text.find("\nSIZE ") != std::string_view::npos);
 }
 
-Result<LoadedGeometry> PcdFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+Result<LoadedGeometry> PcdFormat::read(const std::filesystem::path& file, const ReadOptions& options,
                                        const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
-        ReadJob job(file, control);
+        ReadJob job(file, control, options.salvage);
         const PcdHeader header = parsePcdHeader(content->text(), job);
         PointCloud cloud = readPcdBody(content->text(), header, job);
         return loaded({std::move(cloud), {}}, "PCD",

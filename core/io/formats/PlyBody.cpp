@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/CleanText.h"
+#include "core/io/Coordinates.h"
 #include "core/io/PointSink.h"
 #include "core/io/Polygons.h"
 #include "core/io/TextScanner.h"
@@ -51,6 +53,9 @@ class BinaryValues {
         return value;
     }
     std::size_t remaining() const { return file_.size() - at_; }
+    std::endian order() const { return order_; }
+    const std::byte* here() const { return reinterpret_cast<const std::byte*>(file_.data()) + at_; }
+    void skip(std::size_t bytes) { at_ += bytes; }
     static std::size_t smallest(ScalarType type) { return sizeOf(type); }
     [[noreturn]] void refuse(std::string message, std::string expected) const {
         job_.refuseByte(at_, std::move(message), std::move(expected));
@@ -77,15 +82,19 @@ class BodyReader {
         vertexCount_ = vertex->count;
         PointSink sink = sinkFor(*vertex);
         Polygons polygons;
-        for (const PlyElement& element : header_.elements) {
-            checkCount(element);
-            if (&element == &*vertex)
-                readVertices(element, sink);
-            else if (element.name == "face")
-                readFaces(element, polygons);
-            else
-                skip(element);
-        }
+        const auto readAll = [&] {
+            for (const PlyElement& element : header_.elements)
+                orAsPromised(element, [&] {
+                    if (&element == &*vertex)
+                        readVertices(element, sink);
+                    else if (element.name == "face")
+                        readFaces(element, polygons);
+                    else
+                        skip(element);
+                });
+        };
+        job_.untilDamage(readAll, [&] { return wholePart(*vertex, sink, polygons); });
+        if (!job_.damage().empty()) polygons.dropBeyond(sink.size());
         if (polygons.skipped() > 0)
             job_.warn(counted(polygons.skipped(), "face") + " with fewer than three corners left out");
         TriangleMesh mesh{std::move(sink).build(), {}};
@@ -106,18 +115,47 @@ class BodyReader {
         return {fieldsOfNames(names, vertex.line, job_), depth};
     }
 
-    void checkCount(const PlyElement& element) const {
+    WholePart wholePart(const PlyElement& vertex, const PointSink& sink, const Polygons& polygons) const {
+        WholePart part{sink.size(), firstOf(sink.size(), vertex.count, "point")};
+        for (const PlyElement& element : header_.elements)
+            if (element.name == "face" && element.count > 0 && sink.size() == vertex.count)
+                part.words += " and " + firstOf(polygons.faces(), element.count, "face");
+        return part;
+    }
+
+    static std::size_t smallestSize(const PlyElement& element) {
         std::size_t smallest = 0;
         for (const PlyProperty& property : element.properties)
             smallest += Values::smallest(property.list ? property.lengthType : property.type);
+        return smallest;
+    }
+
+    /// How many of the element's items the file can hold at most; not more than it promises.
+    std::size_t possible(const PlyElement& element) const {
+        return std::min<std::size_t>(element.count, values_.remaining() / smallestSize(element));
+    }
+
+    /// Reads an element. Where the file is too short for what the header promises, what there is is read
+    /// before it is refused, for that might be salvaged.
+    template <class Work>
+    void orAsPromised(const PlyElement& element, const Work& work) {
         if (element.count == 0) return;
-        if (smallest == 0)
+        if (smallestSize(element) == 0)
             job_.refuseLine(element.line, "the element has no properties", "a line 'property'");
-        if (element.count > values_.remaining() / smallest)
-            values_.refuse("the header promises " + std::to_string(element.count) + " of element '" +
-                               element.name + "', but the file ends too early for them",
-                           "at least " + std::to_string(smallest) + " bytes for each, " +
-                               std::to_string(values_.remaining()) + " are left");
+        if (possible(element) == element.count) return work();
+        const auto tooShort = [&, values = values_] {
+            values.refuse("the header promises " + std::to_string(element.count) + " of element '" +
+                              cleanText(element.name) + "', but the file ends too early for them",
+                          "at least " + counted(smallestSize(element), "byte") + " for each, " +
+                              std::to_string(values.remaining()) + " are left");
+        };
+        try {
+            work();
+        } catch (const ErrorException& thrown) {
+            if (thrown.error.code == ErrorCode::input) tooShort();
+            throw;
+        }
+        tooShort();
     }
 
     std::size_t listLength(const PlyProperty& property) {
@@ -136,7 +174,7 @@ class BodyReader {
     }
 
     void skip(const PlyElement& element) {
-        if (element.count > 0) job_.warn("not kept: element " + element.name);
+        job_.warn("not kept: element " + cleanText(element.name));
         for (std::size_t i = 0; i < element.count; ++i) {
             job_.step(i, element.count);
             for (const PlyProperty& property : element.properties) skip(property);
@@ -145,7 +183,8 @@ class BodyReader {
 
     void readVertices(const PlyElement& element, PointSink& sink) {
         std::vector<double> row(element.properties.size());
-        sink.reserve(element.count);
+        sink.reserve(possible(element));
+        if (readAtOnce(element, sink)) return;
         for (std::size_t i = 0; i < element.count; ++i) {
             job_.step(i, element.count);
             for (std::size_t k = 0; k < row.size(); ++k) {
@@ -155,10 +194,29 @@ class BodyReader {
                     row[k] = values_.next(element.properties[k].type);
             }
             if (!sink.add(row.data()))
-                values_.refuse(
-                    "vertex " + std::to_string(i + 1) + " has a coordinate that is no finite number",
-                    "finite coordinates");
+                values_.refuse("vertex " + std::to_string(i + 1) + ": " + std::string(kUnusableCoordinate),
+                               std::string(kUsableCoordinates));
         }
+    }
+
+    /// Binary points of a fixed size, all there: no need to go row by row.
+    bool readAtOnce(const PlyElement& element, PointSink& sink) {
+        if constexpr (std::is_same_v<Values, BinaryValues>) {
+            RecordLayout layout;
+            layout.order = values_.order();
+            std::size_t stride = 0;
+            for (const PlyProperty& property : element.properties) {
+                if (property.list) return false;
+                layout.columns.push_back({PointField::none, property.type, stride, 0});
+                stride += sizeOf(property.type);
+            }
+            for (RecordColumn& column : layout.columns) column.step = stride;
+            if (values_.remaining() / stride < element.count) return false;
+            if (!sink.addRecords(values_.here(), element.count, std::move(layout), job_)) return false;
+            values_.skip(element.count * stride);
+            return true;
+        }
+        return false;
     }
 
     void readFaces(const PlyElement& element, Polygons& polygons) {

@@ -63,12 +63,12 @@ bool PlyFormat::recognises(std::span<const std::byte> head, std::string_view) co
            (head[3] == std::byte{'\n'} || head[3] == std::byte{'\r'} || head[3] == std::byte{' '});
 }
 
-Result<LoadedGeometry> PlyFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+Result<LoadedGeometry> PlyFormat::read(const std::filesystem::path& file, const ReadOptions& options,
                                        const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
-        ReadJob job(file, control);
+        ReadJob job(file, control, options.salvage);
         const PlyHeader header = parsePlyHeader(content->text(), job);
         TriangleMesh mesh = readPlyBody(content->text(), header, job);
         return loaded(std::move(mesh), "PLY", std::string(versionText(header.encoding)), job);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/CleanText.h"
 #include "core/base/Numbers.h"
 #include "core/io/TextScanner.h"
 
@@ -44,7 +45,7 @@ class HeaderParser {
             } else if (keyword == "property") {
                 parseProperty(rest);
             } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-                refuse("'" + shown(keyword) + "' is no keyword of a PLY header",
+                refuse("'" + cleanText(keyword) + "' is no keyword of a PLY header",
                        "format, element, property, comment or end_header");
             }
         }
@@ -64,13 +65,6 @@ class HeaderParser {
         job_.refuseLine(line_, std::move(message), std::move(expected));
     }
 
-    /// Foreign bytes in a sentence: short and printable.
-    static std::string shown(std::string_view token) {
-        std::string text;
-        for (const char c : token.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
-        return text;
-    }
-
     void parseFormat(std::string_view rest) {
         const std::string_view encoding = takeToken(rest);
         if (encoding == "ascii")
@@ -80,7 +74,7 @@ class HeaderParser {
         else if (encoding == "binary_big_endian")
             header_.encoding = PlyEncoding::bigEndian;
         else
-            refuse("the encoding '" + shown(encoding) + "' is unknown",
+            refuse("the encoding '" + cleanText(encoding) + "' is unknown",
                    "ascii, binary_little_endian or binary_big_endian");
     }
 
@@ -97,7 +91,7 @@ class HeaderParser {
     ScalarType parseType(std::string_view name) const {
         for (const TypeName& known : kTypes)
             if (known.name == name) return known.type;
-        refuse("'" + shown(name) + "' is no type of a PLY property",
+        refuse("'" + cleanText(name) + "' is no type of a PLY property",
                "char ... double, int8 ... float64 or list");
     }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/Numbers.h"
+#include "core/io/Coordinates.h"
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
 #include "core/io/PointSink.h"
@@ -14,8 +15,7 @@
 namespace vestige {
 namespace {
 
-PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& job) {
-    PointSink sink(layout.fields, ColorDepth::guess);
+void readRows(std::string_view text, const TextLayout& layout, ReadJob& job, PointSink& sink) {
     TextScanner scanner(text, layout.bodyOffset, layout.bodyLine);
     std::vector<double> row(layout.fields.size());
     std::size_t longRows = 0;
@@ -34,7 +34,7 @@ PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& jo
                            counted(row.size(), "number") + " (" + layout.description + ")");
         if (cells > row.size()) ++longRows;
         if (!sink.add(row.data()))
-            job.refuseLine(line, "a coordinate is no finite number", "finite coordinates");
+            job.refuseLine(line, std::string(kUnusableCoordinate), std::string(kUsableCoordinates));
     }
     if (longRows > 0)
         job.warn(counted(longRows, "row") + " with more values than columns, the rest not kept");
@@ -44,6 +44,17 @@ PointCloud readRows(std::string_view text, const TextLayout& layout, ReadJob& jo
     if (layout.promised && *layout.promised < sink.size())
         job.warn("more points than the " + std::to_string(*layout.promised) +
                  " that the first line promises");
+}
+
+PointCloud readCloud(std::string_view text, const TextLayout& layout, ReadJob& job) {
+    PointSink sink(layout.fields, ColorDepth::guess);
+    job.untilDamage([&] { readRows(text, layout, job, sink); },
+                    [&] {
+                        const std::string words = layout.promised
+                                                      ? firstOf(sink.size(), *layout.promised, "point")
+                                                      : "the first " + counted(sink.size(), "point");
+                        return WholePart{sink.size(), words};
+                    });
     return std::move(sink).build();
 }
 
@@ -82,16 +93,16 @@ bool TextFormat::recognises(std::span<const std::byte>, std::string_view) const 
     return false;  // any text could be points; the extension says so
 }
 
-Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const ReadOptions& /*options*/,
+Result<LoadedGeometry> TextFormat::read(const std::filesystem::path& file, const ReadOptions& options,
                                         const JobControl& control) const {
     return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
-        ReadJob job(file, control);
+        ReadJob job(file, control, options.salvage);
         std::string_view text = content->text();
         if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
         const TextLayout layout = recogniseLayout(text, job);
-        PointCloud cloud = readRows(text, layout, job);
+        PointCloud cloud = readCloud(text, layout, job);
         return loaded({std::move(cloud), {}}, "text", layout.description, job);
     });
 }

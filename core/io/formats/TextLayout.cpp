@@ -10,6 +10,7 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kSampleRows = 1000;
+constexpr std::size_t kSampleValues = 1000000;
 constexpr std::size_t kLongestLine = 1 << 16;
 
 bool isBlank(char c) {
@@ -163,7 +164,7 @@ class Recogniser {
         std::vector<std::vector<double>> rows;
         TextScanner scanner(text_, offset, line);
         std::vector<double> row(cells);
-        while (rows.size() < kSampleRows && !scanner.atEnd()) {
+        while (rows.size() < kSampleRows && rows.size() * cells < kSampleValues && !scanner.atEnd()) {
             const std::string_view text = scanner.nextLine();
             std::size_t bad = 0;
             if (splitNumbers(text, separator, row, bad) == cells && bad == 0) rows.push_back(row);

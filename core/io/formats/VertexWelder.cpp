@@ -1,11 +1,14 @@
 #include "core/io/formats/VertexWelder.h"
 
 #include <bit>
+#include <random>
 
 namespace vestige {
 
+VertexWelder::Hash::Hash() : seed(std::random_device{}()) {}
+
 std::size_t VertexWelder::Hash::operator()(const Key& key) const {
-    std::uint64_t mixed = 0;
+    std::uint64_t mixed = seed;
     for (const double coordinate : key) {
         mixed ^= std::bit_cast<std::uint64_t>(coordinate);
         mixed *= 0x9e3779b97f4a7c15ULL;

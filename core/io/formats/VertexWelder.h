@@ -20,7 +20,11 @@ class VertexWelder {
 
   private:
     using Key = std::array<double, 3>;
+    /// Seeded anew by each run, so that no file can be made whose vertices all fall into one bucket. The mesh
+    /// does not depend on it.
     struct Hash {
+        Hash();
+        std::uint64_t seed;
         std::size_t operator()(const Key& key) const;
     };
 

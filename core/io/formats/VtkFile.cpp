@@ -1,5 +1,7 @@
 #include "core/io/formats/VtkFile.h"
 
+#include "core/base/CleanText.h"
+#include "core/io/Coordinates.h"
 #include "core/io/formats/VtkCells.h"
 #include "core/io/formats/VtkPointData.h"
 
@@ -14,8 +16,12 @@ class VtkReader {
     VtkContent read() {
         VtkContent content;
         content.version = readHead();
-        for (std::string key = values_.keyword(); !key.empty(); key = values_.keyword()) readSection(key);
-        if (!havePoints_) values_.refuse("the file lists no points", "a line POINTS");
+        const auto readAll = [&] {
+            for (std::string key = values_.keyword(); !key.empty(); key = values_.keyword()) readSection(key);
+            if (!havePoints_) values_.refuse("the file lists no points", "a line POINTS");
+        };
+        job_.untilDamage(readAll, [&] { return WholePart{points(), firstOf(points(), promised_, "point")}; });
+        if (!job_.damage().empty()) data_.dropPartial(points());
         content.mesh.vertices = data_.build(coordinates_);
         content.mesh.triangles = cells_.triangles(content.mesh.vertices);
         return content;
@@ -34,7 +40,7 @@ class VtkReader {
         if (values_.keyword() != "DATASET") values_.refuse("the line DATASET is missing", "DATASET POLYDATA");
         values_.word();
         values_.setBinary(encoding == "BINARY");
-        return printable(trimmed(first.substr(kFirst.size())).substr(0, 8)) +
+        return cleanText(trimmed(first.substr(kFirst.size())).substr(0, 8)) +
                (values_.binary() ? ", binary" : ", ascii");
     }
 
@@ -52,21 +58,42 @@ class VtkReader {
         else if (key == "METADATA")
             values_.skipMetadata();
         else if (!data_.read(key))
-            values_.refuse("the section '" + printable(key) + "' is unknown",
+            values_.refuse("the section '" + cleanText(key) + "' is unknown",
                            "POINTS, POLYGONS, POINT_DATA and such");
     }
 
     void readPoints() {
         if (havePoints_) values_.refuse("points are listed twice", "one section POINTS");
-        const std::size_t count = values_.count();
+        promised_ = values_.count(0);
+        values_.checkProduct(promised_, 3);
         const ScalarType type = values_.type();
-        values_.beginArray(3 * count, type);
-        coordinates_.resize(3 * count);
-        for (std::size_t i = 0; i < coordinates_.size(); ++i) {
-            job_.step(i, coordinates_.size());
-            coordinates_[i] = values_.value(type);
+        const VtkValues start = values_;
+        const std::size_t there = values_.beginCutArray(promised_, 3, type);
+        // What there is of a file that is too short is read before it is refused: it might be salvaged.
+        const auto refuseTooShort = [&] {
+            start.refuse("the file ends before its " + counted(promised_, "point"), "a file that is whole");
+        };
+        coordinates_.reserve(3 * there);
+        try {
+            for (std::size_t i = 0; i < there; ++i) {
+                job_.step(i, there);
+                readPoint(i, type);
+            }
+        } catch (const ErrorException& thrown) {
+            if (there < promised_ && thrown.error.code == ErrorCode::input) refuseTooShort();
+            throw;
         }
+        if (there < promised_) refuseTooShort();
         havePoints_ = true;
+    }
+
+    void readPoint(std::size_t number, ScalarType type) {
+        Eigen::Vector3d point;
+        for (double& coordinate : point) coordinate = values_.value(type);
+        if (!isUsable(point))
+            values_.refuse("point " + std::to_string(number + 1) + ": " + std::string(kUnusableCoordinate),
+                           std::string(kUsableCoordinates));
+        coordinates_.insert(coordinates_.end(), point.begin(), point.end());
     }
 
     std::size_t points() const { return coordinates_.size() / 3; }
@@ -76,6 +103,7 @@ class VtkReader {
     VtkPointData data_;
     ReadJob& job_;
     bool havePoints_ = false;
+    std::size_t promised_ = 0;
     std::vector<double> coordinates_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "core/base/CleanText.h"
+
 namespace vestige {
 
 void VtkPointData::begin(bool ofPoints, std::size_t points) {
@@ -98,7 +100,7 @@ void VtkPointData::take(const Array& array, const std::string& kind) {
     values_.checkProduct(array.tuples, array.components);
     std::vector<double>* target = targetOf(array, kind);
     if (!target) {
-        if (ofPoints_) job_.warn("not kept: " + printable(array.name));
+        if (ofPoints_) job_.warn("not kept: " + cleanText(array.name));
         values_.skipArray(array.components * array.tuples, array.type);
         return;
     }
@@ -111,6 +113,13 @@ void VtkPointData::take(const Array& array, const std::string& kind) {
     }
     if (target == &colors_)
         colorDepth_ = array.type == ScalarType::uint8 ? ColorDepth::bytes : ColorDepth::guess;
+}
+
+void VtkPointData::dropPartial(std::size_t points) {
+    if (normals_.size() != 3 * points) normals_.clear();
+    if (colors_.size() != 3 * points) colors_.clear();
+    if (intensity_.size() != points) intensity_.clear();
+    if (time_.size() != points) time_.clear();
 }
 
 PointCloud VtkPointData::build(const std::vector<double>& coordinates) const {
@@ -135,9 +144,7 @@ PointCloud VtkPointData::build(const std::vector<double>& coordinates) const {
         append(colors_, 3);
         append(intensity_, 1);
         append(time_, 1);
-        if (!sink.add(row.data()))
-            job_.refuse("point " + std::to_string(i + 1) + " has a coordinate that is no finite number",
-                        "finite coordinates");
+        sink.add(row.data());
     }
     return std::move(sink).build();
 }

@@ -19,7 +19,9 @@ class VtkPointData {
     /// Reads the attribute section `key`; false when there is no such section.
     bool read(const std::string& key);
 
-    /// The cloud of these coordinates (x, y, z after each other) with the attributes kept.
+    /// Forgets the arrays that do not hold a value for each point, as the last of a file that ends early.
+    void dropPartial(std::size_t points);
+    /// The cloud of these coordinates (x, y, z after each other, all usable) with the attributes kept.
     PointCloud build(const std::vector<double>& coordinates) const;
 
   private:

@@ -1,5 +1,6 @@
 #include "core/io/formats/VtkValues.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
@@ -28,12 +29,6 @@ void VtkValues::skipMetadata() {
     nextLine();
     while (!trimmed(nextLine()).empty()) {
     }
-}
-
-std::string printable(std::string_view text) {
-    std::string shown;
-    for (const char c : text.substr(0, 30)) shown += c >= ' ' && c <= '~' ? c : '?';
-    return shown;
 }
 
 std::size_t VtkValues::count(std::size_t bytesEach) {
@@ -74,6 +69,12 @@ ScalarType VtkValues::type() {
     const auto known = typeOfName(word());
     if (!known) refuse("an array's type is unknown", "float, double, int and such");
     return *known;
+}
+
+std::size_t VtkValues::beginCutArray(std::size_t count, std::size_t components, ScalarType type) {
+    if (binary_) scanner_.nextLine();
+    const std::size_t smallest = components * (binary_ ? sizeOf(type) : 2);
+    return std::min(count, (remaining() + (binary_ ? 0 : 1)) / smallest);
 }
 
 void VtkValues::beginArray(std::size_t values, ScalarType type) {

@@ -34,6 +34,9 @@ class VtkValues {
 
     /// Before an array: checks that the file can hold it, and goes to its first byte.
     void beginArray(std::size_t values, ScalarType type);
+    /// The same for an array of `count` groups of `components` values that may be cut: how many groups the
+    /// file has room for.
+    std::size_t beginCutArray(std::size_t count, std::size_t components, ScalarType type);
     /// The next value of an array.
     double value(ScalarType type);
     void skipArray(std::size_t values, ScalarType type);
@@ -56,8 +59,5 @@ class VtkValues {
     const ReadJob& job_;
     bool binary_ = false;
 };
-
-/// Foreign bytes in a sentence: short and printable.
-std::string printable(std::string_view text);
 
 }  // namespace vestige

@@ -5,20 +5,29 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/CleanText.h"
 #include "core/base/Result.h"
+#include "core/io/Coordinates.h"
 
 namespace vestige {
+
+namespace {
+
+constexpr std::size_t kLongestSentence = 300;
+constexpr std::size_t kMostWarnings = 100;
+
+}  // namespace
 
 std::string JsonCursor::pathOf(std::string_view key) const {
     return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
 }
 
 std::string JsonCursor::place() const {
-    return path_.empty() ? source_->file : source_->file + ": " + path_;
+    return path_.empty() ? source_->file : source_->file + ": " + cleanText(path_, kLongestSentence);
 }
 
 void JsonCursor::reject(std::string message, std::string hint) const {
-    throw ErrorException{{ErrorCode::input, std::move(message), place(), std::move(hint)}};
+    throw ErrorException{{ErrorCode::input, cleanText(message, kLongestSentence), place(), std::move(hint)}};
 }
 
 void JsonCursor::expected(std::string_view what) const {
@@ -32,7 +41,7 @@ void JsonCursor::expected(std::string_view what) const {
 }
 
 void JsonCursor::warn(const std::string& message) const {
-    source_->warnings.push_back(place() + ": " + message);
+    if (source_->warnings.size() < kMostWarnings) source_->warnings.push_back(place() + ": " + message);
 }
 
 void JsonCursor::warnOfOthers(std::initializer_list<std::string_view> known) const {
@@ -138,7 +147,10 @@ std::int64_t JsonCursor::integer(std::int64_t minimum, std::int64_t maximum) con
 
 Eigen::Vector3d JsonCursor::vector3() const {
     const auto numbers = elements(3, "a point [x, y, z]");
-    return {numbers[0].real(), numbers[1].real(), numbers[2].real()};
+    const Eigen::Vector3d point(numbers[0].real(), numbers[1].real(), numbers[2].real());
+    if (!isUsable(point))
+        reject("the point is farther from 0 than any place on Earth", "expected up to 1e10");
+    return point;
 }
 
 }  // namespace vestige

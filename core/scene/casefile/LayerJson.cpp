@@ -91,6 +91,7 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
               {"path", pathText(layer.path)}};
     if (layer.unit) json["unit"] = symbol(*layer.unit);
     if (!std::holds_alternative<InitIdentity>(layer.init)) json["init"] = initJson(layer.init, pathText);
+    if (layer.salvage) json["salvage"] = true;
     if (layer.keepEvery > 1) json["keep_every"] = layer.keepEvery;
     if (layer.box) json["box"] = boxJson(*layer.box);
     json["visible"] = layer.visible;
@@ -101,7 +102,7 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
 
 Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
     cursor.warnOfOthers({"id", "name", "role", "method", "path", "unit", "init", "visible", "tint",
-                         "registration", "keep_every", "box"});
+                         "registration", "salvage", "keep_every", "box"});
     Layer layer;
     layer.id = cursor.at("id").name();
     layer.role = readRole(cursor.at("role"));
@@ -116,6 +117,7 @@ Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesyst
             static_cast<std::uint32_t>(every->integer(1, std::numeric_limits<std::int32_t>::max()));
     if (const auto box = cursor.find("box")) layer.box = readBox(*box);
     if (const auto init = cursor.find("init")) layer.init = readInit(*init, layer, folder);
+    if (const auto salvage = cursor.find("salvage")) layer.salvage = salvage->boolean();
     if (const auto visible = cursor.find("visible")) layer.visible = visible->boolean();
     layer.tint = defaultTint(place);
     if (const auto tint = cursor.find("tint")) {

@@ -1,6 +1,7 @@
 #include "core/base/AtomicFile.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/support/TestPaths.h"
 
@@ -78,4 +79,45 @@ TEST(AtomicFile, KnowsTheSamePlaceByOtherNames) {
     EXPECT_TRUE(samePlace("a.csv", "./x/../a.csv"));
     EXPECT_FALSE(samePlace("a.csv", "b.csv"));
     EXPECT_FALSE(samePlace("", ""));
+}
+
+TEST(AtomicFile, ReplacesALinkAndLeavesWhatItLeadsTo) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "evidence.csv", "1 2 3"));
+    std::filesystem::create_symlink(folder / "evidence.csv", folder / "out.csv");
+    std::filesystem::create_symlink(folder / "nowhere", folder / "broken.csv");
+    ASSERT_TRUE(writeTextFile(folder / "out.csv", "new"));
+    ASSERT_TRUE(writeTextFile(folder / "broken.csv", "new"));
+    EXPECT_EQ(readTextFile(folder / "evidence.csv").value(), "1 2 3");
+    for (const char* name : {"out.csv", "broken.csv"}) {
+        EXPECT_FALSE(std::filesystem::is_symlink(folder / name));
+        EXPECT_EQ(readTextFile(folder / name).value(), "new");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "nowhere"));
+}
+
+TEST(AtomicFile, DoesNotWriteThroughALinkThatWaitsUnderItsTemporaryName) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "evidence.csv", "1 2 3"));
+    AtomicFile file(folder / "out.csv");
+    std::filesystem::create_symlink(folder / "evidence.csv", file.temporaryPath());
+    ASSERT_TRUE(file.open());
+    file.write("new");
+    ASSERT_TRUE(file.commit());
+    EXPECT_EQ(readTextFile(folder / "evidence.csv").value(), "1 2 3");
+    EXPECT_EQ(readTextFile(folder / "out.csv").value(), "new");
+}
+
+TEST(AtomicFile, APlaceUnderDevIsWrittenToAndNotReplaced) {
+    // What /dev/stdout leads to may be a file; the name must stay the link that it is.
+    const AtomicFile standardOutput("/dev/stdout");
+    EXPECT_EQ(standardOutput.temporaryPath(), "/dev/stdout");
+}
+
+TEST(AtomicFile, ReadingAPipeIsRefusedAndDoesNotWait) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const auto text = readTextFile(folder / "pipe");
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().message, "this is a device or pipe, a file was expected");
 }

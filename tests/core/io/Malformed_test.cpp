@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <limits>
 
 #include "tests/core/io/Clouds.h"
 #include "tests/support/TestPaths.h"
@@ -100,6 +101,104 @@ TEST(Malformed, TheErrorNamesTheLineOrByte) {
                   "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n", ", line 6");
     expectRefused(folder / "l.ply", "", ", byte 0");
     expectRefused(folder / "m.ply", " ", ", line 1");
+}
+
+TEST(Malformed, CoordinatesBeyondAnyPlaceOnEarthAreRefused) {
+    const TemporaryFolder folder;
+    expectRefused(folder / "a.xyz", "1 2 3\n4 5e10 6\n", ", line 2");
+    expectRefused(folder / "b.xyz", "1 2 3\n4 -inf 6\n", ", line 2");
+    expectRefused(folder / "c.obj", "v 0 0 0\nv 1 1e12 0\n", ", line 2");
+    expectRefused(folder / "d.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 2\n" + kXyz + "end_header\n1 2 3\n1 2 1e300\n",
+                  ", line 9");
+    expectRefused(folder / "e.pcd", kPcdHead + "POINTS 1\nDATA ascii\n1 2 1e30\n", ", line 8");
+    expectRefused(folder / "f.vtk",
+                  "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n1 2 nan\n",
+                  ", line 6");
+    expectRefused(
+        folder / "g.stl",
+        "solid s\nfacet\nouter loop\nvertex 0 0 1e11\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+        "endsolid\n",
+        ", line 4");
+    writeBytes(folder / "earth.xyz", "6378137000 0 -6356752314\n1 2 3\n");
+    EXPECT_TRUE(readGeometry(folder / "earth.xyz")) << "the Earth in millimetres";
+}
+
+/// PCL marks the holes of a grid with not-a-number; they are no points, in no format they are a place.
+TEST(Malformed, HolesOfPcdAreLeftOutAndCounted) {
+    const TemporaryFolder folder;
+    writeBytes(folder / "a.pcd", kPcdHead + "POINTS 3\nDATA ascii\n1 2 3\nnan nan nan\ninf 2 3\n");
+    const LoadedGeometry loaded = readOrFail(folder / "a.pcd");
+    EXPECT_EQ(loaded.geometry.vertices.size(), 1);
+    EXPECT_EQ(loaded.info.warnings, std::vector<std::string>{"2 points without finite coordinates left out"});
+}
+
+TEST(Malformed, AbsurdGridsOfLasAreRefused) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeGeometry(folder / "whole.las", {fullCloud(4, true), {}}));
+    const std::string whole = readBytes(folder / "whole.las");
+    const auto patched = [&](std::size_t at, double value) {
+        std::string content = whole;
+        return content.replace(at, 8, std::string(reinterpret_cast<const char*>(&value), 8));
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const double scale : {0.0, nan, inf, -inf, 1e300, 1e-300, 1e7})
+        expectRefused(folder / "scale.las", patched(139, scale), ", byte 131");
+    for (const double offset : {nan, inf, 1e30, -1e11})
+        expectRefused(folder / "offset.las", patched(163, offset), ", byte 155");
+    // Each by itself could be; together they lead off the Earth.
+    expectRefused(folder / "far.las", patched(131, 1e5), "");
+    const auto info = fileInfo(folder / "far.las");
+    ASSERT_FALSE(info);
+    EXPECT_EQ(info.error().code, ErrorCode::input);
+}
+
+TEST(Malformed, ForeignNamesAreToldCleanAndShort) {
+    const TemporaryFolder folder;
+    std::string head = "ply\nformat ascii 1.0\nelement vertex 1\n" + kXyz;
+    for (int i = 0; i < 500; ++i) head += "property uchar \x1b[2J\xff" + std::to_string(i) + "\n";
+    std::string row = "1 2 3";
+    for (int i = 0; i < 500; ++i) row += " 0";
+    writeBytes(folder / "a.ply", head + "end_header\n" + row + "\n");
+    const LoadedGeometry loaded = readOrFail(folder / "a.ply");
+    ASSERT_EQ(loaded.info.warnings.size(), 1);
+    EXPECT_TRUE(loaded.info.warnings[0].starts_with("not kept: ?[2J?0, ?[2J?1, ")) << loaded.info.warnings[0];
+    EXPECT_TRUE(loaded.info.warnings[0].ends_with(" and 480 more"));
+}
+
+/// A column named again and again was looked for in all columns before it: the square of the header's size.
+TEST(Malformed, ManyColumnsOfOneNameTakeNoTime) {
+    const TemporaryFolder folder;
+    std::string head = "ply\nformat ascii 1.0\nelement vertex 1\n" + kXyz;
+    for (int i = 0; i < 200000; ++i) head += "property float intensity\n";
+    writeBytes(folder / "a.ply", head + "end_header\n");
+    EXPECT_LT(secondsOf([&] { EXPECT_FALSE(readGeometry(folder / "a.ply")); }), 2);
+}
+
+TEST(Malformed, ALazFileCannotPromiseMoreThanAScanPacksTo) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeGeometry(folder / "whole.laz", {fullCloud(40, true), {}}));
+    std::string content = readBytes(folder / "whole.laz");
+    content.replace(247, 8, std::string("\0\0\0\0\1\0\0\0", 8));  // 4 294 967 296 points
+    expectRefused(folder / "bomb.laz", content, ", byte 247");
+    EXPECT_LT(peakMegabytes(), 500);
+}
+
+TEST(Malformed, LinksLeadToFilesAndNothingElse) {
+    const TemporaryFolder folder;
+    writeBytes(folder / "a.xyz", "1 2 3\n");
+    std::filesystem::create_symlink(folder / "a.xyz", folder / "link.xyz");
+    std::filesystem::create_symlink("/dev/zero", folder / "zero.xyz");
+    std::filesystem::create_symlink(folder / "loop.xyz", folder / "loop.xyz");
+    std::filesystem::create_symlink(folder / "missing", folder / "broken.xyz");
+    EXPECT_TRUE(readGeometry(folder / "link.xyz"));
+    for (const char* name : {"zero.xyz", "loop.xyz", "broken.xyz"}) {
+        const auto refused = readGeometry(folder / name);
+        ASSERT_FALSE(refused) << name;
+        EXPECT_EQ(refused.error().code, ErrorCode::input);
+        EXPECT_EQ(refused.error().place, (folder / name).string());
+    }
 }
 
 TEST(Malformed, LazipsOwnRecordsAreCheckedBeforeItSeesThem) {

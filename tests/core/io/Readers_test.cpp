@@ -28,7 +28,7 @@ TEST(TextFormat, RecognisesColumnsByHeader) {
     const auto quoted = readText("b.txt", "\"X\",\"Y\",\"Z\"\n0 1 2\n");
     EXPECT_EQ(first(quoted), Eigen::Vector3d(0, 1, 2));
     const auto compare = readText("c.asc", "//X Y Z R G B Nx Ny Nz\r\n1;2;3;255;0;1;0;0;1\r\n");
-    EXPECT_EQ(compare.geometry.vertices.attributes().color, (std::vector<Color>{{65535, 0, 257}}));
+    EXPECT_EQ(compare.geometry.vertices.attributes().color, (LargeArray<Color>{{65535, 0, 257}}));
     EXPECT_EQ(compare.geometry.vertices.attributes().normal.size(), 1);
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/Parallel.h"
 #include "core/io/FormatRegistry.h"
 #include "tests/core/pipeline/TinyCase.h"
+#include "tests/core/report/ReportText.h"
 #include "tests/support/TestPaths.h"
 
 namespace vestige {
@@ -91,6 +92,25 @@ TEST_F(Reconstructing, RegistersAndMeasures) {
     EXPECT_EQ(rows[2].cells[0], "Width of the front");
     EXPECT_NEAR(std::stod(rows[2].cells[6]), 1.0, 0.03)
         << "aims hit points of a cloud with 20 mm between them";
+}
+
+TEST_F(Reconstructing, ReadsWhatIsWholeOfADamagedFileOnlyWhereTheCaseAgrees) {
+    TinyCase tiny(folder.path());
+    const fs::path aerial = folder / "aerial.ply";
+    fs::resize_file(aerial, fs::file_size(aerial) - 5);
+    const auto refused = run(tiny.scene, folder / "out");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::input);
+    EXPECT_TRUE(refused.error().salvageable);
+    tiny.scene.layers[0].salvage = true;
+    const auto result = run(tiny.scene, folder / "out");
+    ASSERT_TRUE(result) << result.error().sentence();
+    const std::string& damage = result->scene.layer("aerial")->data->info.damage;
+    EXPECT_THAT(damage, HasSubstr("are whole and were read"));
+    EXPECT_THAT(result->warnings, testing::Contains("aerial.ply: " + damage));
+    EXPECT_THAT(json::parse(content(folder / "out/manifest.json"))["warnings"].dump(),
+                HasSubstr("the file is damaged"));
+    EXPECT_THAT(test::textOf(printer.printed), HasSubstr("Only part of aerial.ply could be read"));
 }
 
 TEST_F(Reconstructing, FusesTheOriginalPointsLayerByLayer) {

@@ -69,6 +69,17 @@ class CaseReportTest : public testing::Test {
     std::vector<ReportPicture> pictures;
 };
 
+TEST_F(CaseReportTest, SaysOfWhichFileOnlyAPartWasRead) {
+    EXPECT_THAT(text(), Not(HasSubstr("Only part of")));
+    auto data = std::make_shared<LayerData>(*scene.layers[1].data);
+    data->info.damage =
+        "the file is damaged, byte 7: it ends; the first 2 of 9 points are whole and were read";
+    scene.layers[1].data = data;
+    EXPECT_THAT(text(),
+                HasSubstr("Only part of front.ply could be read: the file is damaged, byte 7: it ends; the "
+                          "first 2 of 9 points are whole and were read."));
+}
+
 TEST_F(CaseReportTest, HoldsWhatTheCourtAsksFor) {
     EXPECT_THAT(text(), AllOf(HasSubstr("Two cars"), HasSubstr("aerial.ply: " + std::string(64, 'a')),
                               HasSubstr("front.ply: " + std::string(64, 'b')), HasSubstr("12.3 mm"),

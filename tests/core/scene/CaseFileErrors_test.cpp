@@ -126,6 +126,24 @@ TEST(CaseFileErrors, HostileDepthAndSizeEndWithASentence) {
               "case.json: a");
 }
 
+TEST(CaseFileErrors, AKeyStandsOnceInAnObject) {
+    EXPECT_EQ(errorOf(R"({"vestige":1,"name":"a","name":"b"})"),
+              "case.json: the key \"name\" stands twice in one object; expected each key once");
+    EXPECT_EQ(errorOf(R"({"vestige":1,"site":{"lat":1,"lon":2,"lat":3}})"),
+              "case.json: the key \"lat\" stands twice in one object; expected each key once");
+    EXPECT_EQ(errorOf(R"({"vestige":1,"name":"a","site":{"lat":1,"lon":2},"views":[]})").find("stands twice"),
+              std::string::npos);
+}
+
+TEST(CaseFileErrors, PicksAreOnEarthAndForeignTextIsToldClean) {
+    EXPECT_EQ(
+        errorOfMeasurement(R"("tape_m":1,"picks":{"a":[[[0,0,1e11],[1,1,1]]]})"),
+        "case.json: measurements[0].picks.a[0][0]: the point is farther from 0 than any place on Earth; "
+        "expected up to 1e10");
+    EXPECT_EQ(errorOfLayer(R"("id":"b","role":"\u001b[2J","path":"b.las")"),
+              "case.json: layers[1].role: '?[2J' is no role; expected aerial, handheld or photogrammetry");
+}
+
 TEST(CaseFileErrors, AnyDamageIsAnErrorOrACase) {
     const TemporaryFolder folder;
     const auto file = folder / "case.json";

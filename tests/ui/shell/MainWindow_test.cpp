@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QUrl>
 #include <fstream>
@@ -97,6 +98,22 @@ TEST_F(Workstation, AFileThatCannotBeReadIsToldAndTheOthersAreAdded) {
     EXPECT_EQ(opened.error().code, ErrorCode::input);
     EXPECT_NE(opened.error().sentence().find("broken.ply"), std::string::npos);
     EXPECT_EQ(driver->scene().layers.size(), 1u);
+}
+
+TEST_F(Workstation, OfACutFileItIsOfferedToLoadWhatIsWhole) {
+    std::ofstream(folder / "cut.pts") << "3\n1 2 3\n4 5 6\n";
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    EXPECT_FALSE(driver->window().openFiles({folder / "cut.pts"}));
+    EXPECT_TRUE(driver->scene().layers.empty());
+    auto* button = driver->window().findChild<QToolButton*>("notice-button");
+    ASSERT_TRUE(button && button->isVisible());
+    EXPECT_EQ(button->text(), "Load what is whole");
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_EQ(driver->scene().layers.size(), 1u);
+    const Layer& layer = driver->scene().layers[0];
+    EXPECT_TRUE(layer.salvage) << "the case that is saved opens the same";
+    EXPECT_EQ(layer.data->points->size(), 2u);
+    EXPECT_NE(layer.data->info.damage.find("the first 2 of 3 points"), std::string::npos);
 }
 
 TEST_F(Workstation, ACheckBoxHidesALayerAndUndoShowsIt) {

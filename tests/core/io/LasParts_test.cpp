@@ -1,0 +1,224 @@
+// What is read of a LAS or LAZ file in part, or by several threads, is what the whole file holds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "core/base/Parallel.h"
+#include "core/base/Random.h"
+#include "core/geometry/PointCloudBuilder.h"
+#include "core/io/ApplyReadOptions.h"
+#include "core/io/Bytes.h"
+#include "core/io/LasWriter.h"
+#include "tests/core/io/Clouds.h"
+#include "tests/support/TestPaths.h"
+
+using namespace vestige;
+using namespace vestige::test;
+
+namespace {
+
+struct AllThreads {
+    ~AllThreads() { setThreadCount(0); }
+};
+
+/// A cloud over `extent` metres at UTM coordinates, in no order of place.
+PointCloud scattered(std::size_t points, double extent) {
+    Random random(3);
+    PointCloudBuilder builder(Eigen::Vector3d(483000, 4375000, 100));
+    for (std::size_t i = 0; i < points; ++i) {
+        builder.add({483000 + std::round(1000 * extent * random.uniform()) / 1000,
+                     4375000 + std::round(1000 * extent * random.uniform()) / 1000,
+                     std::round(1e5 * random.uniform()) / 1000});
+        builder.attributes().intensity.push_back(static_cast<float>(random.below(65536)));
+        builder.attributes().color.push_back({static_cast<std::uint16_t>(random.below(65536)), 7, 9});
+    }
+    return std::move(builder).build();
+}
+
+std::filesystem::path written(const TemporaryFolder& folder, const std::string& name,
+                              const PointCloud& cloud) {
+    LasWriteOptions options;
+    options.scale = Eigen::Vector3d::Constant(0.001);
+    EXPECT_TRUE(writeLas(folder / name, {{&cloud, Similarity{}, 1}}, options));
+    return folder / name;
+}
+
+LoadedGeometry readWith(const std::filesystem::path& file, const ReadOptions& options) {
+    Result<LoadedGeometry> loaded = readGeometry(file, options);
+    EXPECT_TRUE(loaded) << loaded.error().sentence();
+    return loaded ? std::move(*loaded) : LoadedGeometry{};
+}
+
+void expectSamePoints(const PointCloud& a, const PointCloud& b) {
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(largestDifference(a, b), 0);
+    EXPECT_EQ(a.attributes().intensity, b.attributes().intensity);
+    EXPECT_EQ(a.attributes().color, b.attributes().color);
+}
+
+class LasParts : public testing::TestWithParam<const char*> {
+  protected:
+    std::string name() const { return std::string("cloud.") + GetParam(); }
+    const TemporaryFolder folder;
+};
+
+}  // namespace
+
+TEST_P(LasParts, AKilometreWideCloudIsExactWithoutResiduals) {
+    const PointCloud cloud = scattered(60000, 3000);
+    const LoadedGeometry read = readOrFail(written(folder, name(), cloud));
+    const PointCloud& back = read.geometry.vertices;
+    EXPECT_TRUE(back.residuals().empty());
+    ASSERT_TRUE(back.grid());
+    ASSERT_EQ(back.size(), cloud.size());
+    const Eigen::Vector3d scale = *read.info.scale;
+    const Eigen::Vector3d offset = *read.info.offset;
+    for (std::size_t i = 0; i < back.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double steps = std::round((cloud.point(i)[axis] - offset[axis]) / scale[axis]);
+            ASSERT_EQ(back.point(i)[axis], steps * scale[axis] + offset[axis]) << i;
+        }
+    for (int axis = 0; axis < 3; ++axis) {
+        double least = back.point(0)[axis];
+        for (std::size_t i = 0; i < back.size(); ++i) least = std::min(least, back.point(i)[axis]);
+        EXPECT_EQ(back.bounds().min[axis], least);
+    }
+}
+
+TEST_P(LasParts, AHeaderThatLiesOfItsBoundsChangesNothing) {
+    const PointCloud cloud = scattered(5000, 400);
+    const auto file = written(folder, name(), cloud);
+    const LoadedGeometry honest = readOrFail(file);
+    for (const double lie : {1e9, -3e7, std::numeric_limits<double>::quiet_NaN()}) {
+        std::string bytes = readBytes(file);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const std::size_t place : {179 + 16 * axis, 187 + 16 * axis})
+                store(reinterpret_cast<std::byte*>(bytes.data()) + place, lie);
+        writeBytes(folder / ("lying." + std::string(GetParam())), bytes);
+        const LoadedGeometry read = readOrFail(folder / ("lying." + std::string(GetParam())));
+        expectSamePoints(honest.geometry.vertices, read.geometry.vertices);
+    }
+}
+
+TEST_P(LasParts, PartsAreThoseOfTheWhole) {
+    const PointCloud cloud = scattered(150000, 100);
+    const auto file = written(folder, name(), cloud);
+    const LoadedGeometry whole = readOrFail(file);
+    BoundingBox box;
+    box.add(Eigen::Vector3d(483020, 4375010, 0));
+    box.add(Eigen::Vector3d(483060, 4375090, 80));
+    std::vector<ReadOptions> wishes(6);
+    wishes[1].keepEvery = 7;
+    wishes[2].box = box;
+    wishes[3].box = box;
+    wishes[3].keepEvery = 3;
+    wishes[4].attributes = ReadOptions::Attributes::drawn;
+    wishes[5].attributes = ReadOptions::Attributes::drawn;
+    wishes[5].keepEvery = 1000000;
+    for (const ReadOptions& wish : wishes) {
+        LoadedGeometry expected = whole;
+        expected.heeded = false;
+        applyReadOptions(wish, expected);
+        const LoadedGeometry part = readWith(file, wish);
+        ASSERT_GT(part.geometry.vertices.size(), 0);
+        expectSamePoints(expected.geometry.vertices, part.geometry.vertices);
+        EXPECT_EQ(part.geometry.vertices.attributes().classification.empty(),
+                  wish.attributes == ReadOptions::Attributes::drawn);
+        EXPECT_EQ(part.info.points, part.geometry.vertices.size());
+    }
+}
+
+TEST_P(LasParts, NoNumberOfThreadsChangesABit) {
+    const AllThreads reset;
+    const PointCloud cloud = scattered(260000, 700);
+    const auto file = written(folder, name(), cloud);
+    setThreadCount(1);
+    const LoadedGeometry one = readOrFail(file);
+    for (const int threads : {2, 7}) {
+        setThreadCount(threads);
+        const LoadedGeometry several = readOrFail(file);
+        expectSamePoints(one.geometry.vertices, several.geometry.vertices);
+        EXPECT_EQ(one.geometry.vertices.offsets(), several.geometry.vertices.offsets());
+        EXPECT_EQ(one.geometry.vertices.attributes().gpsTime, several.geometry.vertices.attributes().gpsTime);
+    }
+}
+
+TEST_P(LasParts, APreviewIsOfTheFilesOwnPointsFromEverywhereInIt) {
+    const PointCloud cloud = scattered(400000, 100);
+    const auto file = written(folder, name(), cloud);
+    const auto format = formatOfFile(file);
+    ASSERT_TRUE(format);
+    const auto preview = (*format)->preview(file, 20000, {});
+    ASSERT_TRUE(preview && *preview);
+    const PointCloud& shown = (*preview)->geometry.vertices;
+    EXPECT_GT(shown.size(), 10000);
+    EXPECT_LE(shown.size(), 20000);
+    const LoadedGeometry whole = readOrFail(file);
+    std::set<std::tuple<double, double, double>> places;
+    for (std::size_t i = 0; i < whole.geometry.vertices.size(); ++i) {
+        const Eigen::Vector3d point = whole.geometry.vertices.point(i);
+        places.emplace(point.x(), point.y(), point.z());
+    }
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const Eigen::Vector3d point = shown.point(i);
+        ASSERT_TRUE(places.contains({point.x(), point.y(), point.z()})) << i;
+    }
+    const Eigen::Vector3d missing = whole.info.bounds.extent() - shown.bounds().extent();
+    EXPECT_LT(missing.maxCoeff(), 5)
+        << "the points are in no order of place: a preview reaches nearly as far";
+}
+
+TEST_P(LasParts, APeekTellsWhatTheHeaderSays) {
+    const PointCloud cloud = scattered(5000, 400);
+    const auto file = written(folder, name(), cloud);
+    const auto peeked = peekFile(file);
+    const LoadedGeometry whole = readOrFail(file);
+    ASSERT_TRUE(peeked) << peeked.error().sentence();
+    EXPECT_EQ(peeked->points, 5000);
+    EXPECT_EQ(peeked->format, whole.info.format);
+    EXPECT_LT((peeked->bounds.min - whole.info.bounds.min).norm(), 1e-9);
+    EXPECT_LT((peeked->bounds.max - whole.info.bounds.max).norm(), 1e-9);
+}
+
+TEST_P(LasParts, WhatIsWholeOfACutOffFileIsItsBeginning) {
+    const PointCloud cloud = scattered(120000, 100);
+    const auto file = written(folder, name(), cloud);
+    const std::string bytes = readBytes(file);
+    const LoadedGeometry whole = readOrFail(file);
+    const auto cut = folder / ("cut." + std::string(GetParam()));
+    ReadOptions salvage;
+    salvage.salvage = true;
+    std::size_t most = 0;
+    for (const double share : {0.2, 0.5, 0.7, 0.9, 0.999}) {
+        writeBytes(cut, bytes.substr(0, static_cast<std::size_t>(share * static_cast<double>(bytes.size()))));
+        EXPECT_FALSE(readGeometry(cut)) << share;
+        const LoadedGeometry saved = readWith(cut, salvage);
+        const std::size_t count = saved.geometry.vertices.size();
+        ASSERT_GE(count, most);
+        ASSERT_LT(count, whole.geometry.vertices.size() + (share > 0.99 ? 1 : 0));
+        most = count;
+        EXPECT_NE(saved.info.damage.find("of 120000 points"), std::string::npos) << saved.info.damage;
+        for (std::size_t i = 0; i < count; i += 97)
+            ASSERT_EQ(saved.geometry.vertices.point(i), whole.geometry.vertices.point(i))
+                << share << " " << i;
+    }
+    EXPECT_GT(most, 50000);
+    EXPECT_TRUE(readWith(file, salvage).info.damage.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, LasParts, testing::Values("las", "laz"));
+
+TEST(LazBomb, MorePointsThanCompressionExplainsAreRefusedWithoutTheirMemory) {
+    const TemporaryFolder folder;
+    const PointCloud cloud = scattered(3000, 10);
+    std::string bytes = readBytes(written(folder, "bomb.laz", cloud));
+    store<std::uint64_t>(reinterpret_cast<std::byte*>(bytes.data()) + 247, std::uint64_t{1} << 40);
+    writeBytes(folder / "bomb.laz", bytes);
+    const Result<LoadedGeometry> bomb = readGeometry(folder / "bomb.laz");
+    ASSERT_FALSE(bomb);
+    EXPECT_EQ(bomb.error().code, ErrorCode::input);
+    EXPECT_NE(bomb.error().sentence().find("more than the compressed bytes"), std::string::npos)
+        << bomb.error().sentence();
+}
