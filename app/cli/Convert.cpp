@@ -2,6 +2,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/FilePart.h"
 #include "app/cli/Session.h"
 #include "core/io/FormatRegistry.h"
 
@@ -11,7 +12,7 @@ namespace {
 struct Options {
     std::string in;
     std::string out;
-    ReadOptions reading;
+    FilePart part;
 };
 
 int runConvert(Session& session, const Options& options) {
@@ -19,7 +20,7 @@ int runConvert(Session& session, const Options& options) {
     if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
         return session.failed(target.error());
     const Result<LoadedGeometry> loaded =
-        readGeometry(options.in, options.reading, session.control().sub(0, 0.6));
+        readPart(options.in, options.part, ReadOptions::Attributes::all, session.control().sub(0, 0.6));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
@@ -43,7 +44,7 @@ Run declareConvert(CLI::App& command) {
     auto options = std::make_shared<Options>();
     command.add_option("IN", options->in, "Cloud or mesh to read")->required();
     command.add_option("OUT", options->out, "File to write; its extension names the format")->required();
-    addSalvageOption(command, options->reading.salvage);
+    addPartOptions(command, options->part);
     return [options](Session& session) { return runConvert(session, *options); };
 }
 

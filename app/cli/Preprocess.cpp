@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/FilePart.h"
 #include "app/cli/ParameterJson.h"
 #include "app/cli/Session.h"
 #include "core/base/Numbers.h"
@@ -17,8 +18,8 @@ namespace {
 struct Options {
     std::string in;
     std::string out;
-    ReadOptions reading;
     std::string unit = "auto";
+    FilePart part;
     ParameterSet parameters{preprocessParameters()};
 };
 
@@ -28,7 +29,8 @@ int runPreprocess(Session& session, const Options& options) {
     if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
         return session.failed(target.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> loaded = readGeometry(options.in, options.reading, control.sub(0, 0.3));
+    const Result<LoadedGeometry> loaded =
+        readPart(options.in, options.part, ReadOptions::Attributes::all, control.sub(0, 0.3));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
@@ -78,7 +80,7 @@ Run declarePreprocess(CLI::App& command) {
                        ? std::string()
                        : "expected " + lengthUnitSymbols() + " or auto";
         });
-    addSalvageOption(command, options->reading.salvage);
+    addPartOptions(command, options->part);
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runPreprocess(session, *options); };
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/FilePart.h"
 #include "app/cli/Session.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct Options {
     std::string target;
+    FilePart part;
     std::string source;
     std::string poseOut;
     std::string init = "identity";
@@ -147,7 +149,8 @@ int runRegister(Session& session, const Options& options) {
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    Result<LoadedGeometry> target = readGeometry(options.target, options.reading, control.sub(0, 0.2));
+    Result<LoadedGeometry> target =
+        readPart(options.target, options.part, ReadOptions::Attributes::drawn, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
     const double metresPerTarget = target->info.metresPerUnit.value_or(1);
     if (metresPerTarget != 1) {
@@ -156,7 +159,9 @@ int runRegister(Session& session, const Options& options) {
                     " m a unit, as it says; the pose leads into its frame in metres");
     }
     const Result<LoadedGeometry> source =
-        readGeometry(options.source, options.reading, control.sub(0.2, 0.4));
+        readPart(options.source, {options.part.every, std::nullopt, options.part.salvage},
+                 options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
+                 control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
     for (const auto* loaded : {&*target, &*source})
         if (!loaded->info.damage.empty())
@@ -214,7 +219,7 @@ Run declareRegister(CLI::App& command) {
                        : "expected " + lengthUnitSymbols() + " or auto";
         });
     command.add_option("--aligned", options->aligned, "File for the source's points in the target's frame");
-    addSalvageOption(command, options->reading.salvage);
+    addPartOptions(command, options->part, "TARGET");
     addParameterOptions(command, options->parameters);
     return [options](Session& session) { return runRegister(session, *options); };
 }

@@ -17,6 +17,7 @@ struct Options {
     std::string out;
     std::string view = "perspective";
     std::string size = "1400x900";
+    FilePart part;
     std::string overlay = "none";
     std::string color = "auto";
     std::string theme = "dark";
@@ -58,11 +59,14 @@ int runWindow(Session& session, const Options& options) {
 }
 
 int runScreenshot(Session& session, const Options& options) {
+    if (options.window && !options.part.whole())
+        return session.failed(
+            {ErrorCode::usage, "the window opens whole files", "--window", "leave out --every and --box"});
     if (options.window) return runWindow(session, options);
     const JobControl& control = session.control();
     const Overlay overlay = *overlayFromName(options.overlay);
     Result<ViewDescription> view =
-        shownScene(options.inputs, overlay, options.color, session, control.sub(0, 0.9));
+        shownScene(options.inputs, options.part, overlay, options.color, session, control.sub(0, 0.9));
     if (!view) return session.failed(view.error());
     const auto [width, height] = *sizeFromText(options.size);
     view->camera = frameView(*view, *namedViewFromName(options.view), width, height);
@@ -118,6 +122,7 @@ Run declareScreenshot(CLI::App& command) {
         ->check(CLI::IsMember({"dark", "light"}));
     command.add_option("--point-size", options->pointSize_px, "Pixels. Default: 2.")
         ->check(CLI::Range(1.0, 16.0));
+    addPartOptions(command, options->part);
     CLI::Option* window =
         command.add_flag("--window", options->window,
                          "The whole desktop window with the inputs opened, not the 3D view alone.");

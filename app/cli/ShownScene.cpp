@@ -42,13 +42,16 @@ Result<SceneState> sceneOf(const std::vector<std::string>& inputs, const Session
     return scene;
 }
 
-Status load(SceneState& scene, const JobControl& control) {
+Status load(SceneState& scene, const FilePart& part, const JobControl& control) {
     const double count = static_cast<double>(scene.layers.size());
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         Layer& layer = scene.layers[i];
+        if (part.every > 1) layer.keepEvery = part.every;
+        if (part.box) layer.box = part.box;
+        layer.salvage = layer.salvage || part.salvage;
         const double share = static_cast<double>(i);
-        auto data = loadLayerData(scene.resolve(layer.path), control.sub(share / count, (share + 1) / count),
-                                  layer.salvage);
+        auto data =
+            loadLayer(layer, scene.resolve(layer.path), control.sub(share / count, (share + 1) / count));
         if (!data) return fail(data.error());
         layer.data = std::move(*data);
         if (const auto difference = evidenceDifference(layer)) control.message("warning: " + *difference);
@@ -129,14 +132,15 @@ ColorMode colorOf(const ViewDescription& view, const std::string& color) {
 
 }  // namespace
 
-Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, Overlay overlay,
-                                   const std::string& color, const Session& session,
+Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, const FilePart& part,
+                                   Overlay overlay, const std::string& color, const Session& session,
                                    const JobControl& control) {
     return guarded(inputs.front(), [&]() -> Result<ViewDescription> {
         Result<SceneState> scene = sceneOf(inputs, session);
         if (!scene) return fail(scene.error());
         const bool isCase = looksLikeCase(inputs.front());
-        if (const Status loaded = load(*scene, control.sub(0, 0.5)); !loaded) return fail(loaded.error());
+        if (const Status loaded = load(*scene, part, control.sub(0, 0.5)); !loaded)
+            return fail(loaded.error());
         const bool compares = overlay == Overlay::registration || overlay == Overlay::residual;
         if (isCase) {
             const Status done = registerWhatLacks(*scene, compares, session, control.sub(0.5, 1));

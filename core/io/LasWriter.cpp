@@ -34,7 +34,7 @@ class LasFileWriter {
         writeRecords(file, laz.get());
         plan_.pointOffset = static_cast<std::size_t>(file.stream().tellp());
         if (laz) laz->open(file.stream());
-        for (const LasPart& part : parts_) writePoints(file, part, laz.get());
+        for (const LasPart& part : parts_) writePart(file, part, laz.get());
         if (laz) laz->close();
         writeExtendedRecords(file);
         file.stream().seekp(0);
@@ -72,6 +72,17 @@ class LasFileWriter {
             file.write(encodeExtendedRecord(*record));
             ++plan_.extendedRecords;
         }
+    }
+
+    void writePart(AtomicFile& file, const LasPart& part, LazWriter* laz) {
+        if (!part.complete) return writePoints(file, part, laz);
+        const double written =
+            total_ > 0 ? static_cast<double>(totals_.points) / static_cast<double>(total_) : 0;
+        const auto cloud = part.complete(control_.sub(written, written));
+        if (!cloud) throw ErrorException(cloud.error());
+        LasPart whole = part;
+        whole.cloud = cloud->get();
+        writePoints(file, whole, laz);
     }
 
     void writePoints(AtomicFile& file, const LasPart& part, LazWriter* laz) {

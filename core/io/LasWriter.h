@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,9 @@ struct LasPart {
     const PointCloud* cloud = nullptr;
     Similarity worldFromCloud;
     std::uint16_t pointSource = 0;
+    /// Gets the same points, in the same order, with attributes that `cloud` lacks, when their turn has come;
+    /// they are dropped once written. Empty: `cloud` has all.
+    std::function<Result<std::shared_ptr<const PointCloud>>(const JobControl&)> complete = {};
 };
 
 struct LasWriteOptions {

@@ -41,11 +41,11 @@ std::string LoadEstimate::sentence() const {
            " are free";
 }
 
-LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options) {
+LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options, bool indexed) {
     LoadEstimate estimate;
     const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
     estimate.points = (peeked.points + every - 1) / every;
-    std::uint64_t perPoint = kDrawnBytes + kIndexPeakBytes;
+    std::uint64_t perPoint = kDrawnBytes + (indexed ? kIndexPeakBytes : 0);
     if (options.attributes == ReadOptions::Attributes::all) perPoint += kOtherAttributesBytes;
     estimate.bytes = estimate.points * perPoint + peeked.triangles * kTriangleBytes;
     estimate.availableBytes = availableMemory();

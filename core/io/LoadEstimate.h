@@ -20,8 +20,8 @@ struct LoadEstimate {
     std::string sentence() const;
 };
 
-/// `peeked` is what peekFile() told.
-LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options);
+/// `peeked` is what peekFile() told; `indexed`: an octree is made of the points.
+LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options, bool indexed = true);
 
 /// Bytes that this process may still take: the kernel's MemAvailable, or what the container's limit leaves.
 std::uint64_t availableMemory();

@@ -32,6 +32,7 @@ ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overl
         shown.id = layer.id;
         shown.name = layer.name;
         shown.geometry = layer.data->geometry;
+        shown.octree = layer.data->octree;
         shown.worldFromLayer = placeOf(layer, before);
         shown.tint = layer.tint;
         shown.isTarget = layer.id == scene.target;

@@ -1,38 +1,172 @@
 #include "core/pipeline/LoadLayers.h"
 
+#include <algorithm>
+#include <array>
+#include <future>
+#include <string_view>
+#include <utility>
 #include "core/base/FileStamp.h"
+
 #include "core/base/Hash.h"
+#include "core/io/ApplyReadOptions.h"
 #include "core/io/FormatRegistry.h"
 
 namespace vestige {
+namespace {
+
+/// A file of fewer points is read in about the time of a first look.
+constexpr std::uint64_t kPreviewFrom = 4'000'000;
+constexpr std::size_t kPreviewPoints = 1'500'000;
+
+/// The hash of a file, computed while it is read.
+class HashMeanwhile {
+  public:
+    explicit HashMeanwhile(const std::filesystem::path& file)
+        : hash_(std::async(std::launch::async,
+                           [file, control = control_] { return sha256OfFile(file, control); })) {}
+    ~HashMeanwhile() { control_.cancel(); }
+    HashMeanwhile(const HashMeanwhile&) = delete;
+    HashMeanwhile& operator=(const HashMeanwhile&) = delete;
+    Result<std::string> take() { return hash_.get(); }
+
+  private:
+    JobControl control_;
+    std::future<Result<std::string>> hash_;
+};
+
+std::shared_ptr<LayerData> withIndex(LoadedGeometry loaded) {
+    auto data = std::make_shared<LayerData>();
+    data->geometry = std::make_shared<const TriangleMesh>(std::move(loaded.geometry));
+    data->points = std::shared_ptr<const PointCloud>(data->geometry, &data->geometry->vertices);
+    data->octree = std::make_shared<const Octree>(data->points);
+    data->info = std::move(loaded.info);
+    return data;
+}
+
+/// The share of a file's ground plan that a box covers.
+double coveredShare(const BoundingBox& bounds, const BoundingBox& box) {
+    double share = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double whole = bounds.max[axis] - bounds.min[axis];
+        const double common =
+            std::min(bounds.max[axis], box.max[axis]) - std::max(bounds.min[axis], box.min[axis]);
+        if (common < 0) return 0;
+        if (whole > 0) share *= std::min(1.0, common / whole);
+    }
+    return share;
+}
+
+}  // namespace
+
+ReadOptions readOptionsOf(const Layer& layer) {
+    ReadOptions options;
+    options.attributes = ReadOptions::Attributes::drawn;
+    options.keepEvery = layer.keepEvery;
+    options.box = layer.box;
+    options.salvage = layer.salvage;
+    return options;
+}
+
+Result<LoadCheck> checkLoad(const std::filesystem::path& file, const ReadOptions& options, bool indexed,
+                            const JobControl& control) {
+    auto peeked = peekFile(file, control);
+    if (!peeked) return fail(peeked.error());
+    FileInfo asked = *peeked;
+    if (options.box && !asked.bounds.empty())
+        asked.points = static_cast<std::uint64_t>(static_cast<double>(asked.points) *
+                                                  coveredShare(asked.bounds, *options.box));
+    return LoadCheck{std::move(*peeked), estimateLoad(asked, options, indexed)};
+}
+
+Error tooLarge(const std::filesystem::path& file, const LoadEstimate& estimate, const std::string& offer) {
+    return {ErrorCode::input, estimate.sentence(), file.string(), offer};
+}
+
+std::string commandLineOffer(const LoadEstimate& estimate) {
+    const std::string every = std::to_string(estimate.keepEveryToFit);
+    return "--every " + every + " takes every " + every +
+           "th point, --box xmin,ymin,zmin,xmax,ymax,zmax a part; a case says \"keep_every\" or \"box\" of a "
+           "layer";
+}
 
 Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::path& file,
-                                                       const JobControl& control, bool salvage) {
+                                                       const ReadOptions& options,
+                                                       const JobControl& control) {
     return guarded(file.string(), [&]() -> Result<std::shared_ptr<const LayerData>> {
         const auto before = stampOf(file);
         if (!before) return fail(before.error());
-        auto hash = sha256OfFile(file, control.sub(0, 0.15));
-        if (!hash) return fail(hash.error());
-        ReadOptions options;
-        options.salvage = salvage;
-        auto loaded = readGeometry(file, options, control.sub(0.15, 0.7));
+        HashMeanwhile hash(file);
+        auto loaded = readGeometry(file, options, control.sub(0, 0.6));
         if (!loaded) return fail(loaded.error());
+        if (control.cancelled()) return fail(cancelledError());
+        control.progress(0.6, "index of " + file.filename().string());
+        const std::shared_ptr<LayerData> data = withIndex(std::move(*loaded));
+        if (control.cancelled()) return fail(cancelledError());
+        auto sha256 = hash.take();
+        if (!sha256) return fail(sha256.error());
         // The hash is of these points only if nobody has written in between.
         if (const auto after = stampOf(file); !after || *after != *before)
             return fail(changedWhileRead(file, *before));
-        if (control.cancelled()) return fail(cancelledError());
-        auto data = std::make_shared<LayerData>();
-        data->geometry = std::make_shared<const TriangleMesh>(std::move(loaded->geometry));
-        data->points = std::shared_ptr<const PointCloud>(data->geometry, &data->geometry->vertices);
-        control.progress(0.7, "index of " + file.filename().string());
-        data->octree = std::make_shared<const Octree>(data->points);
-        data->info = std::move(loaded->info);
-        data->sha256 = std::move(*hash);
         data->stamp = *before;
-        if (control.cancelled()) return fail(cancelledError());
+        data->sha256 = std::move(*sha256);
         control.progress(1);
-        return std::shared_ptr<const LayerData>(std::move(data));
+        return std::shared_ptr<const LayerData>(data);
     });
+}
+
+Result<std::shared_ptr<const LayerData>> loadLayer(const Layer& layer, const std::filesystem::path& file,
+                                                   const JobControl& control) {
+    const ReadOptions options = readOptionsOf(layer);
+    const auto check = checkLoad(file, options);
+    if (!check) return fail(check.error());
+    if (!check->estimate.fits())
+        return fail(tooLarge(file, check->estimate, commandLineOffer(check->estimate)));
+    return loadLayerData(file, options, control);
+}
+
+Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem::path& file,
+                                                          const LoadCheck& check, const ReadOptions& options,
+                                                          const JobControl& control) {
+    return guarded(file.string(), [&]() -> Result<std::shared_ptr<const LayerData>> {
+        if (check.peeked.points < kPreviewFrom) return std::shared_ptr<const LayerData>();
+        const auto format = formatOfFile(file);
+        if (!format) return fail(format.error());
+        auto look = (*format)->preview(file, kPreviewPoints, control);
+        if (!look) return fail(look.error());
+        if (!*look || control.cancelled()) return std::shared_ptr<const LayerData>();
+        ReadOptions box;
+        box.attributes = options.attributes;
+        box.box = options.box;
+        (*look)->heeded = false;
+        applyReadOptions(box, **look);
+        if ((*look)->geometry.vertices.empty()) return std::shared_ptr<const LayerData>();
+        const std::shared_ptr<LayerData> data = withIndex(std::move(**look));
+        data->awaitedPoints = std::max<std::uint64_t>(1, check.estimate.points);
+        return std::shared_ptr<const LayerData>(data);
+    });
+}
+
+Result<std::shared_ptr<const PointCloud>> allAttributes(const Layer& layer, const std::filesystem::path& file,
+                                                        const JobControl& control) {
+    constexpr std::array<std::string_view, 3> kDrawn{"intensity", "color", "normals"};
+    const std::vector<std::string>& names = layer.data->info.attributes;
+    const bool complete = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+        return std::find(kDrawn.begin(), kDrawn.end(), name) != kDrawn.end();
+    });
+    const PointAttributes& held = layer.data->points->attributes();
+    const bool whole = !held.classification.empty() || !held.gpsTime.empty() || !held.pointSource.empty() ||
+                       !held.returnNumber.empty() || !held.returnCount.empty();
+    if (complete || whole) return layer.data->points;
+    ReadOptions options = readOptionsOf(layer);
+    options.attributes = ReadOptions::Attributes::all;
+    auto loaded = readGeometry(file, options, control);
+    if (!loaded) return fail(loaded.error());
+    if (loaded->geometry.vertices.size() != layer.data->points->size())
+        return fail(ErrorCode::input,
+                    "the file holds " + std::to_string(loaded->geometry.vertices.size()) + " points now, " +
+                        std::to_string(layer.data->points->size()) + " were read before",
+                    file.string(), "the file must not change while it is worked with");
+    return std::make_shared<const PointCloud>(std::move(loaded->geometry.vertices));
 }
 
 }  // namespace vestige

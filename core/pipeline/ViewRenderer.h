@@ -11,6 +11,7 @@
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
+#include "core/geometry/Octree.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/geometry/ViewCamera.h"
 
@@ -55,6 +56,7 @@ struct ViewLayer {
     std::string id;
     std::string name;
     std::shared_ptr<const TriangleMesh> geometry;
+    std::shared_ptr<const Octree> octree = nullptr;  ///< over the geometry's points; null: made when needed
     Similarity worldFromLayer;
     std::array<std::uint8_t, 3> tint{160, 180, 200};
     std::shared_ptr<const std::vector<float>> residual_m;  ///< signed, per point, NaN for none; may be null

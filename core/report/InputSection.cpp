@@ -11,6 +11,25 @@ std::string extentText(const Layer& layer) {
            fixedText(extent.z(), 2);
 }
 
+/// "front: every 4th point" of each layer of which not all is loaded.
+std::string loadedParts(const SceneState& scene) {
+    std::string parts;
+    for (const Layer& layer : scene.layers) {
+        if (!layer.isThinned()) continue;
+        parts += (parts.empty() ? "" : "; ") + layer.name + ": ";
+        if (layer.keepEvery > 1) parts += "one of every " + std::to_string(layer.keepEvery) + " points";
+        if (layer.keepEvery > 1 && layer.box) parts += " of ";
+        if (!layer.box) continue;
+        const auto corner = [](const Eigen::Vector3d& place) {
+            return "(" + fixedText(place.x(), 2) + ", " + fixedText(place.y(), 2) + ", " +
+                   fixedText(place.z(), 2) + ")";
+        };
+        parts += "the points from " + corner(layer.box->min) + " to " + corner(layer.box->max) +
+                 " in the file's own frame and unit";
+    }
+    return parts;
+}
+
 }  // namespace
 
 Section inputSection(const ReportInput& input) {
@@ -42,6 +61,8 @@ Section inputSection(const ReportInput& input) {
             section.blocks.push_back(Paragraph{"Only part of " + layer.path.filename().string() +
                                                " could be read: " + layer.data->info.damage +
                                                ". What is missing is not known."});
+    if (const std::string parts = loadedParts(input.scene); !parts.empty())
+        section.blocks.push_back(Paragraph{"Of some files only a part was loaded: " + parts + "."});
     section.blocks.push_back(
         Paragraph{"The SHA-256 value of a file is a fingerprint of its content: a file with the same value "
                   "is the same file, byte by "

@@ -25,7 +25,8 @@ bool noteEvidence(Layer& layer) {
 }
 
 std::optional<std::string> evidenceDifference(const Layer& layer) {
-    if (!layer.evidence || !layer.data || layer.data->sha256 == layer.evidence->sha256) return std::nullopt;
+    if (!layer.evidence || !layer.data || layer.data->isPreview()) return std::nullopt;
+    if (layer.data->sha256 == layer.evidence->sha256) return std::nullopt;
     return "layer '" + layer.id + "': " + layer.path.string() +
            " is not the file that became part of the case: expected " + described(*layer.evidence) +
            "; found " + described(evidenceOf(*layer.data));

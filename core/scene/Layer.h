@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "core/base/FileStamp.h"
 #include "core/base/Units.h"
+#include "core/geometry/BoundingBox.h"
 #include "core/geometry/Octree.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/io/FileInfo.h"
@@ -35,6 +37,11 @@ struct LayerData {
     FileInfo info;
     std::string sha256;
     FileStamp stamp;  ///< of the file when it was read
+    /// Of a first look at a large file: how many points are still being read. `points` are some of them,
+    /// spread over the file and exact; there is no sha256 yet. 0: these are all.
+    std::uint64_t awaitedPoints = 0;
+
+    bool isPreview() const { return awaitedPoints > 0; }
 };
 
 /// Where a layer's registration starts.
@@ -61,6 +68,8 @@ struct Layer {
     std::filesystem::path path;            ///< absolute once read from a case
     std::optional<FileEvidence> evidence;  ///< what the file is to be; nothing: not noted yet
     std::optional<LengthUnit> unit;        ///< nothing: recognised
+    std::uint32_t keepEvery = 1;           ///< of the file's points every k-th is loaded, the first included
+    std::optional<BoundingBox> box;  ///< only what lies in it is loaded; in the file's own unit and frame
     InitialPoseSpec init;
     bool salvage = false;  ///< of a damaged file what is whole is read; someone has agreed to that
     bool visible = true;
@@ -69,6 +78,8 @@ struct Layer {
     std::shared_ptr<const LayerData> data;           ///< null until loaded
     std::optional<RegistrationResult> registration;  ///< null until registered
 
+    /// Whether only a part of the file is loaded, because the case says so.
+    bool isThinned() const { return keepEvery > 1 || box.has_value(); }
     /// Metres in the layer's own frame from file units: the unit given, else what the file says, else metres.
     double metresPerUnit() const;
     /// That as a unit, for people; the nearest one of a file that names another.

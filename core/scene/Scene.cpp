@@ -1,5 +1,9 @@
 #include "core/scene/Scene.h"
 
+#include "core/scene/FileEvidence.h"
+
+#include <map>
+#include <memory>
 #include <utility>
 
 namespace vestige {
@@ -44,6 +48,8 @@ struct Scene::History {
     std::uint64_t saved = 0;  ///< number of the last step when saved; 0: before the first
     std::unique_ptr<EditGroup> group;
     int depth = 0;
+    /// What replaced data that steps may still hold.
+    std::map<std::weak_ptr<const LayerData>, std::shared_ptr<const LayerData>, std::owner_less<>> newer;
 
     std::uint64_t current() const { return done.empty() ? 0 : done.back().number; }
     void push(std::unique_ptr<SceneEdit> edit) {
@@ -60,6 +66,7 @@ Scene::~Scene() = default;
 
 bool Scene::perform(std::unique_ptr<SceneEdit> edit) {
     if (!edit || !edit->apply(state_)) return false;
+    takeNewerData();
     if (history_->group)
         history_->group->add(std::move(edit));
     else
@@ -81,6 +88,7 @@ void Scene::undo() {
     Step step = std::move(history_->done.back());
     history_->done.pop_back();
     step.edit->revert(state_);
+    takeNewerData();
     history_->undone.push_back(std::move(step));
     if (changed_) changed_();
 }
@@ -90,6 +98,7 @@ void Scene::redo() {
     Step step = std::move(history_->undone.back());
     history_->undone.pop_back();
     step.edit->apply(state_);
+    takeNewerData();
     history_->done.push_back(std::move(step));
     if (changed_) changed_();
 }
@@ -132,7 +141,27 @@ void Scene::attachData(std::string_view layer, std::shared_ptr<const LayerData> 
     Layer* found = state_.layer(layer);
     if (!found) return;
     found->data = std::move(data);
+    noteEvidence(*found);
     if (changed_) changed_();
+}
+
+void Scene::replaceData(const std::shared_ptr<const LayerData>& before,
+                        std::shared_ptr<const LayerData> now) {
+    if (!before || before == now) return;
+    history_->newer[before] = std::move(now);
+    takeNewerData();
+    if (changed_) changed_();
+}
+
+void Scene::takeNewerData() {
+    if (history_->newer.empty()) return;
+    for (Layer& layer : state_.layers) {
+        if (!layer.data) continue;
+        const auto found = history_->newer.find(layer.data);
+        if (found == history_->newer.end()) continue;
+        layer.data = found->second;
+        noteEvidence(layer);
+    }
 }
 
 }  // namespace vestige

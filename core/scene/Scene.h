@@ -89,15 +89,20 @@ class Scene {
     bool modified() const;
     void markSaved(std::filesystem::path file);
 
-    /// Puts what was read for a layer into the document. Loading changes nothing of the case, so it is not in
-    /// the history; layers that are gone are ignored.
+    /// Puts what was read for a layer into the document. Loading changes nothing of the case (but that the
+    /// file is noted where none was), so it is not in the history; layers that are gone are ignored.
     void attachData(std::string_view layer, std::shared_ptr<const LayerData> data);
 
-    /// Called after every change (perform, undo, redo, markSaved, attachData).
+    /// Puts `now` in the place of `before` (a preview), wherever the document holds it: in layers that are
+    /// there and in those that undo and redo bring back. Not in the history either.
+    void replaceData(const std::shared_ptr<const LayerData>& before, std::shared_ptr<const LayerData> now);
+
+    /// Called after every change (perform, undo, redo, markSaved, attachData, replaceData).
     void onChange(std::function<void()> handler) { changed_ = std::move(handler); }
 
   private:
     struct History;
+    void takeNewerData();
     SceneState state_;
     std::unique_ptr<History> history_;
     std::function<void()> changed_;

@@ -56,6 +56,39 @@ class IoCli(unittest.TestCase):
             for value, expected in zip(row, truth):
                 self.assertAlmostEqual(value, expected, delta=1e-4)
 
+    def test_a_part_of_a_file_is_converted(self):
+        every = self.path / "every.csv"
+        done = run("--json", "convert", "--every", "2", self.cloud, every)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["points"], 1)
+        boxed = self.path / "boxed.csv"
+        done = run("convert", "--box", "576662,5188115,0,576663,5188116,1000", self.cloud, boxed)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(boxed.read_text().splitlines()), 2)
+        self.assertIn("576662.9701", boxed.read_text())
+        for wrong in ("1,2,3", "1,2,3,0,5,6", "1,2,3,4,5,x"):
+            self.assertEqual(run("convert", "--box", wrong, self.cloud, boxed).returncode, 2, wrong)
+        self.assertEqual(run("convert", "--every", "0", self.cloud, boxed).returncode, 2)
+
+    def test_what_does_not_fit_into_memory_is_refused_with_what_would(self):
+        vast = self.path / "vast.las"
+        self.assertEqual(run("convert", self.cloud, vast).returncode, 0)
+        record = int.from_bytes(vast.read_bytes()[105:107], "little")
+        start = int.from_bytes(vast.read_bytes()[96:100], "little")
+        points = 50_000_000_000
+        with open(vast, "r+b") as stream:
+            stream.seek(247)
+            stream.write(points.to_bytes(8, "little"))
+            stream.truncate(start + points * record)
+        for command in (["convert", vast, self.path / "out.ply"], ["screenshot", vast, "--out", self.path / "out.png"],
+                        ["preprocess", vast, self.path / "out.las"]):
+            done = run(*command)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("50 000 000 000 points need", done.stderr)
+            self.assertIn("--every ", done.stderr)
+            self.assertIn("--box ", done.stderr)
+            self.assertFalse(pathlib.Path(command[-1]).exists())
+
     def test_a_cut_file_is_refused_and_its_whole_part_is_read_where_that_is_asked(self):
         cut = self.path / "cut.ply"
         self.assertEqual(run("convert", self.cloud, cut).returncode, 0)

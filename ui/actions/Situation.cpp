@@ -20,7 +20,9 @@ Situation situationOf(const Document& document, const Selection& selection, cons
     for (const Layer& layer : scene.layers) {
         now.loadedLayers += layer.data != nullptr;
         now.registered += layer.registration.has_value();
-        now.registrable += layer.data && target && target->data && &layer != target;
+        const bool whole = layer.data && !layer.data->isPreview();
+        const bool wholeTarget = target && target->data && !target->data->isPreview();
+        now.registrable += whole && wholeTarget && &layer != target;
     }
     const ShownFit fit = shownFit(document, selection, attempts);
     now.refused = fit.layer && !fit.entered;

@@ -69,6 +69,15 @@ Status Document::saveWith(const std::filesystem::path& file,
     return {};
 }
 
+void Document::attachData(const std::string& layer, std::shared_ptr<const LayerData> data) {
+    scene_.attachData(layer, std::move(data));
+}
+
+void Document::replaceData(const std::shared_ptr<const LayerData>& before,
+                           std::shared_ptr<const LayerData> now) {
+    scene_.replaceData(before, std::move(now));
+}
+
 void Document::replace(SceneState state) {
     scene_ = Scene(std::move(state));
     watch();

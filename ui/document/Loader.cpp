@@ -1,13 +1,15 @@
 #include "ui/document/Loader.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "core/pipeline/LoadLayers.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "core/scene/FileEvidence.h"
 #include "ui/document/Autosave.h"
 #include "ui/document/Document.h"
 #include "ui/document/LayerDefaults.h"
+#include "ui/document/LoadJob.h"
 #include "ui/document/Notices.h"
 #include "ui/document/Wording.h"
 #include "ui/jobs/JobRunner.h"
@@ -15,39 +17,45 @@
 namespace vestige {
 namespace {
 
-struct Loaded {
-    SceneState scene;
-    std::vector<Layer> layers;
-    std::vector<Error> problems;
-    std::vector<std::string> remarks;
-};
-
-/// Reads each file of `loaded.layers`; what fails stays without data.
-Result<Loaded> readLayers(Loaded loaded, const JobControl& control) {
-    const double count = static_cast<double>(loaded.layers.size());
-    for (std::size_t i = 0; i < loaded.layers.size(); ++i) {
-        Layer& layer = loaded.layers[i];
-        const auto step = control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-        step.progress(0, "Reading " + layer.path.filename().string());
-        auto data = loadLayerData(loaded.scene.resolve(layer.path), step);
-        if (!data && data.error().code == ErrorCode::cancelled) return fail(data.error());
-        if (data)
-            layer.data = std::move(*data);
-        else
-            loaded.problems.push_back(data.error());
-    }
-    return loaded;
-}
+/// Kept round what the other layers cover.
+constexpr double kBoxMargin = 0.1;
 
 Status firstOf(const std::vector<Error>& problems) {
     if (problems.empty()) return {};
     return fail(problems.front());
 }
 
+/// The part of the file that the layers on show cover, in the file's unit; nothing when they lie elsewhere or
+/// cover all of it.
+std::optional<BoundingBox> coveredByOthers(const SceneState& scene, const TooLarge& large) {
+    BoundingBox others;
+    for (const Layer& layer : scene.layers)
+        if (layer.data && layer.visible && layer.id != large.layer.id && !layer.data->isPreview())
+            others.add(layer.data->points->bounds().transformed(sceneFromLayer(layer)));
+    const BoundingBox& whole = large.check.peeked.bounds;
+    if (others.empty() || whole.empty()) return std::nullopt;
+    const double metres = large.layer.metresPerUnit();
+    BoundingBox box;
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(std::max(1.0, kBoxMargin * others.diagonal()));
+    // Heights are all kept: those of the layers say nothing about the file's.
+    box.min = ((others.min - margin) / metres).cwiseMax(whole.min);
+    box.max = ((others.max + margin) / metres).cwiseMin(whole.max);
+    box.min.z() = whole.min.z();
+    box.max.z() = whole.max.z();
+    if (box.empty()) return std::nullopt;
+    const bool smaller = (box.extent().head<2>().array() < 0.9 * whole.extent().head<2>().array()).any();
+    return smaller ? std::optional(box) : std::nullopt;
+}
+
 }  // namespace
 
 Loader::Loader(Document& document, JobRunner& jobs, Notices& notices, QObject* parent)
-    : QObject(parent), document_(document), jobs_(jobs), notices_(notices) {}
+    : QObject(parent), document_(document), jobs_(jobs), notices_(notices) {
+    connect(&document_, &Document::replaced, this, [this] {
+        ++replacements_;
+        previews_.clear();
+    });
+}
 
 Status Loader::openCase(const std::filesystem::path& file) {
     std::shared_ptr<CaseSession> session = autosave_ ? autosave_->open(file) : nullptr;
@@ -75,74 +83,140 @@ Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
     Loaded request;
     request.remarks = remarks;
     request.layers = saved.layers;
+    request.scene = saved;
     // Undoing the recovery leads back to the saved case, so both need their files.
     if (unsaved)
         for (const Layer& layer : unsaved->state.layers)
             if (std::none_of(request.layers.begin(), request.layers.end(),
                              [&](const Layer& other) { return other.path == layer.path; }))
                 request.layers.push_back(layer);
-    const QString title =
-        saved.file.empty() ? tr("Recovering a case") : tr("Opening %1").arg(toQt(saved.file.filename()));
     const std::filesystem::path file = saved.file;
-    request.scene = std::move(saved);
-    jobs_.run<Loaded>(
-        title, [request](const JobControl& control) { return readLayers(request, control); },
-        [this, file, session, unsaved](Result<Loaded> loaded) {
-            if (!loaded) return tell({loaded.error()});
-            const auto giveData = [&](SceneState& scene) {
-                for (Layer& layer : scene.layers) {
-                    for (const Layer& read : loaded->layers)
-                        if (read.path == layer.path) layer.data = read.data;
-                    noteEvidence(layer);
-                }
-            };
-            giveData(loaded->scene);
-            std::optional<Recovered> edits = unsaved;
-            if (edits) giveData(edits->state);
-            if (autosave_ && session) autosave_->follow(session);
-            document_.replace(std::move(loaded->scene));
-            if (edits && document_.perform(restoreState(std::move(edits->state), "recover unsaved changes")))
-                emit recovered(QString::fromStdString(edits->sentence));
+    const QString title =
+        file.empty() ? tr("Recovering a case") : tr("Opening %1").arg(toQt(file.filename()));
+    const auto shown = std::make_shared<int>(-1);  // the document's number once the case is in it
+    const auto replace = [this, session, saved = std::move(saved), unsaved,
+                          shown](const std::vector<Layer>& read) {
+        open(session, saved, unsaved, read);
+        *shown = replacements_;
+    };
+    jobs_.runInParts<Loaded, Progress>(
+        title,
+        [request](const JobControl& control, const ShowProgress& show) {
+            return readCaseLayers(request, show, control);
+        },
+        [this, replace, shown](Progress progress) {
+            if (*shown < 0) {
+                replace(progress.layers);
+                for (const Layer& layer : progress.layers)
+                    if (layer.data) previews_.push_back(layer.data);
+            }
+            if (*shown == replacements_) take(progress.arrivals);
+        },
+        [this, file, replace, shown](Result<Loaded> loaded) {
+            if (*shown >= 0 && *shown != replacements_) return;
+            dropPreviews(false);
+            if (!loaded) return tell(loaded.error());
+            if (*shown < 0) replace(loaded->layers);
             remark(loaded->remarks);
-            for (const Layer& layer : document_.state().layers)
-                if (const auto difference = evidenceDifference(layer))
-                    notices_.failed({ErrorCode::input, *difference, {}, {}});
-            tell(loaded->problems);
+            tellDifferences();
+            tell(*loaded, false);
             if (!file.empty()) emit opened(toQt(file));
         });
     return firstOf(problems_);
 }
 
-Status Loader::addFiles(const std::vector<std::filesystem::path>& files) {
+/// Puts the case in the document's place with the data that were read, and what was not saved on top of it.
+void Loader::open(const std::shared_ptr<CaseSession>& session, SceneState saved,
+                  std::optional<Recovered> unsaved, const std::vector<Layer>& read) {
+    const auto giveData = [&](SceneState& scene) {
+        for (Layer& layer : scene.layers) {
+            for (const Layer& other : read)
+                if (other.path == layer.path) layer.data = other.data;
+            noteEvidence(layer);
+        }
+    };
+    giveData(saved);
+    if (unsaved) giveData(unsaved->state);
+    if (autosave_ && session) autosave_->follow(session);
+    document_.replace(std::move(saved));
+    if (unsaved && document_.perform(restoreState(std::move(unsaved->state), "recover unsaved changes")))
+        emit recovered(QString::fromStdString(unsaved->sentence));
+}
+
+/// Of files that are not what became part of the case.
+void Loader::tellDifferences() {
+    for (const Layer& layer : document_.state().layers)
+        if (const auto difference = evidenceDifference(layer))
+            notices_.failed({ErrorCode::input, *difference, {}, {}});
+}
+
+Status Loader::addFiles(const std::vector<std::filesystem::path>& files, bool salvage) {
     if (files.empty()) return {};
-    problems_.clear();
-    Loaded request;
-    request.scene = document_.state();
+    std::vector<Layer> layers;
     for (const auto& file : files) {
         Layer layer;
         layer.path = std::filesystem::absolute(file).lexically_normal();
-        request.layers.push_back(std::move(layer));
+        layer.salvage = salvage;
+        layers.push_back(std::move(layer));
     }
+    add(std::move(layers));
+    return firstOf(problems_);
+}
+
+void Loader::add(std::vector<Layer> layers) {
+    problems_.clear();
     const QString what =
-        files.size() == 1 ? toQt(files.front().filename()) : tr("%1 files").arg(files.size());
-    jobs_.run<Loaded>(
+        layers.size() == 1 ? toQt(layers.front().path.filename()) : tr("%1 files").arg(layers.size());
+    Loaded request;
+    request.scene = document_.state();
+    request.layers = std::move(layers);
+    jobs_.runInParts<Loaded, Progress>(
         tr("Reading %1").arg(what),
-        [request](const JobControl& control) -> Result<Loaded> {
-            auto loaded = readLayers(request, control);
-            if (!loaded) return loaded;
-            std::erase_if(loaded->layers, [](const Layer& layer) { return !layer.data; });
-            nameLayers(loaded->layers, loaded->scene);
-            loaded->remarks = recogniseUnits(loaded->layers, loaded->scene);
-            return loaded;
+        [request](const JobControl& control, const ShowProgress& show) {
+            return readFiles(request, show, control);
         },
-        [this](Result<Loaded> loaded) {
-            if (!loaded) return tell({loaded.error()});
+        [this, before = replacements_](Progress progress) {
+            if (before != replacements_) return;
+            enter(progress.layers);
+            remark(progress.remarks);
+            for (const Layer& layer : progress.layers) previews_.push_back(layer.data);
+            if (!progress.layers.empty()) addStep_ = document_.undoText();
+            for (const Layer& layer : progress.layers) emit opened(toQt(layer.path));
+            take(progress.arrivals);
+        },
+        [this, before = replacements_](Result<Loaded> loaded) {
+            if (before != replacements_) return;
+            dropPreviews(!loaded);
+            if (!loaded) return tell(loaded.error());
             enter(loaded->layers);
             remark(loaded->remarks);
-            tell(loaded->problems);
+            tell(*loaded, true);
             for (const Layer& layer : loaded->layers) emit opened(toQt(layer.path));
         });
-    return firstOf(problems_);
+}
+
+/// A layer of the case, after it was changed to load a part of its file.
+void Loader::readAgain(const Layer& layer) {
+    problems_.clear();
+    Loaded request;
+    request.scene = document_.state();
+    request.layers = {layer};
+    jobs_.run<Loaded>(
+        tr("Reading %1").arg(toQt(layer.path.filename())),
+        [request](const JobControl& control) -> Result<Loaded> {
+            Loaded loaded = request;
+            const Status read = readAll(
+                loaded, [](const Arrival&) {}, control);
+            if (!read) return fail(read.error());
+            return loaded;
+        },
+        [this, before = replacements_](Result<Loaded> loaded) {
+            if (before != replacements_) return;
+            if (!loaded) return tell(loaded.error());
+            for (const Layer& read : loaded->layers)
+                if (read.data) document_.attachData(read.id, read.data);
+            tell(*loaded, false);
+        });
 }
 
 void Loader::enter(const std::vector<Layer>& layers) {
@@ -158,15 +232,78 @@ void Loader::enter(const std::vector<Layer>& layers) {
     document_.end();
 }
 
+void Loader::take(const std::vector<Arrival>& arrivals) {
+    for (const Arrival& arrival : arrivals) {
+        std::erase(previews_, arrival.before);
+        if (arrival.before)
+            document_.replaceData(arrival.before, arrival.data);
+        else if (arrival.data)
+            document_.attachData(arrival.layer, arrival.data);
+    }
+}
+
+/// No more comes for the previews that are left. Their layers are taken back where adding them was the last
+/// step; else they stay without data.
+void Loader::dropPreviews(bool takeBack) {
+    if (previews_.empty()) return;
+    for (const auto& preview : std::exchange(previews_, {})) document_.replaceData(preview, nullptr);
+    if (takeBack && document_.undoText() == addStep_) document_.undo();
+}
+
 void Loader::remark(const std::vector<std::string>& remarks) {
     QStringList sentences;
     for (const std::string& sentence : remarks) sentences << QString::fromStdString(sentence);
     if (!sentences.isEmpty()) notices_.inform(sentences.join("\n"));
 }
 
-void Loader::tell(const std::vector<Error>& problems) {
-    problems_ = problems;
-    for (const Error& problem : problems) notices_.failed(problem);
+void Loader::tell(const Error& error) {
+    problems_ = {error};
+    notices_.failed(error);
+}
+
+void Loader::tell(const Loaded& loaded, bool offering) {
+    problems_.clear();
+    for (const auto& [file, problem] : loaded.unread) {
+        problems_.push_back(problem);
+        if (offering && problem.salvageable)
+            notices_.offer(problem, tr("Load what is whole"),
+                           [this, file = file] { static_cast<void>(addFiles({file}, true)); });
+        else
+            notices_.failed(problem);
+    }
+    for (const TooLarge& large : loaded.tooLarge) {
+        problems_.push_back(tooLarge(large.layer.path, large.check.estimate, {}));
+        offer(large);
+    }
+}
+
+void Loader::offer(const TooLarge& large) {
+    // An added file has no layer yet, or one that shows nothing; a layer of the case remembers the part.
+    const auto load = [this](Layer part) {
+        const Layer* held = document_.state().layer(part.id);
+        if (!held) return add({std::move(part)});
+        Layer changed = *held;
+        changed.keepEvery = part.keepEvery;
+        changed.box = part.box;
+        changed.data = nullptr;
+        document_.perform(changeLayer(changed, "load a part of " + changed.name));
+        readAgain(changed);
+    };
+    const std::uint32_t every = large.check.estimate.keepEveryToFit;
+    Layer thinned = large.layer;
+    thinned.keepEvery = every;
+    thinned.data = nullptr;
+    std::vector<Notices::Offer> offers{
+        {tr("Load every %1 point").arg(ordinalText(every)), [load, thinned] { load(thinned); }}};
+    if (const auto box = coveredByOthers(document_.state(), large)) {
+        Layer part = large.layer;
+        part.box = box;
+        part.data = nullptr;
+        offers.push_back({tr("Load only where the other layers are"), [load, part] { load(part); }});
+    }
+    notices_.offer(toQt(large.layer.path.filename()) + ": " + toQt(large.check.estimate.sentence()) +
+                       tr(". It was not read."),
+                   offers);
 }
 
 }  // namespace vestige

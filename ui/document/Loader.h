@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "core/base/Result.h"
@@ -14,8 +15,14 @@ class Autosave;
 class Document;
 class JobRunner;
 class Notices;
+struct Arrival;
+struct Loaded;
+struct Progress;
+struct TooLarge;
 
-/// Brings cases and files into the document: reads on the job runner, enters the result on the GUI thread.
+/// Brings cases and files into the document: reads on the job runner, enters the result on the GUI thread. Of
+/// large files some points are shown while the rest is read. Files that do not fit into memory are told with
+/// offers to load a part.
 class Loader : public QObject {
     Q_OBJECT
 
@@ -31,8 +38,10 @@ class Loader : public QObject {
     /// Cases are then taken for this window, and edits that were not saved come back as a step that can be
     /// undone.
     void setAutosave(Autosave* autosave) { autosave_ = autosave; }
-    /// Adds clouds and meshes as layers, in one step of the history. Returns like openCase.
-    Status addFiles(const std::vector<std::filesystem::path>& files);
+    /// Adds clouds and meshes as layers, in one step of the history (large ones in one before the others).
+    /// Returns like openCase. Cancelled, the layers are taken back. Of a damaged file it is offered to load
+    /// what is whole, which `salvage` does at once.
+    Status addFiles(const std::vector<std::filesystem::path>& files, bool salvage = false);
 
   signals:
     /// A case was opened, or files were added.
@@ -43,15 +52,28 @@ class Loader : public QObject {
   private:
     Status load(std::shared_ptr<CaseSession> session, SceneState saved,
                 const std::vector<std::string>& remarks);
+    void open(const std::shared_ptr<CaseSession>& session, SceneState saved, std::optional<Recovered> unsaved,
+              const std::vector<Layer>& read);
+    void tellDifferences();
+    void add(std::vector<Layer> layers);
+    void readAgain(const Layer& layer);
     void enter(const std::vector<Layer>& layers);
+    void take(const std::vector<Arrival>& arrivals);
+    void dropPreviews(bool takeBack);
     void remark(const std::vector<std::string>& remarks);
-    void tell(const std::vector<Error>& problems);
+    void tell(const Error& error);
+    /// Of files; `offering`: what is whole of a damaged one is to be added.
+    void tell(const Loaded& loaded, bool offering);
+    void offer(const TooLarge& tooLarge);
 
     Document& document_;
     JobRunner& jobs_;
     Notices& notices_;
     Autosave* autosave_ = nullptr;
     std::vector<Error> problems_;  ///< of the job that was delivered last
+    int replacements_ = 0;         ///< of the document: what was asked for an earlier one is not entered
+    std::vector<std::shared_ptr<const LayerData>> previews_;  ///< shown, their whole is awaited
+    QString addStep_;                                         ///< the step of the history that added them
 };
 
 }  // namespace vestige

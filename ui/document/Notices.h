@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <vector>
 
 #include "core/base/Error.h"
 
@@ -13,12 +14,24 @@ class Notices : public QObject {
     Q_OBJECT
 
   public:
+    /// What can be done about it.
+    struct Offer {
+        QString text;
+        std::function<void()> take;
+    };
+
     using QObject::QObject;
     void inform(const QString& sentence) { emit informed(sentence); }
     /// Offers to open `path` beside the sentence.
     void informOf(const QString& sentence, const QString& path) { emit informedOf(sentence, path); }
     /// Stays until it is closed.
     void warn(const QString& sentence) { emit warned(sentence); }
+    /// A sentence with buttons; it stays until one is pressed or it is closed.
+    void offer(const QString& sentence, const std::vector<Offer>& offers) { emit offered(sentence, offers); }
+    /// A failure with a way on: a button `label` beside the sentence does `action` on the GUI thread.
+    void offer(const Error& error, const QString& label, const std::function<void()>& action) {
+        offer(QString::fromStdString(error.sentence()) + ".", {{label, action}});
+    }
     /// A cancelled job is no failure and is not shown as one.
     void failed(const Error& error) {
         if (error.code == ErrorCode::cancelled)
@@ -26,16 +39,12 @@ class Notices : public QObject {
         else
             emit warned(QString::fromStdString(error.sentence()) + ".");
     }
-    /// A failure with a way on: a button `label` beside the sentence does `action` on the GUI thread.
-    void offer(const Error& error, const QString& label, const std::function<void()>& action) {
-        emit offered(QString::fromStdString(error.sentence()) + ".", label, action);
-    }
 
   signals:
     void informed(const QString& sentence);
     void informedOf(const QString& sentence, const QString& path);
+    void offered(const QString& sentence, const std::vector<vestige::Notices::Offer>& offers);
     void warned(const QString& sentence);
-    void offered(const QString& sentence, const QString& label, const std::function<void()>& action);
 };
 
 }  // namespace vestige

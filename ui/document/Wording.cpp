@@ -80,4 +80,14 @@ QString coordinateText(double x, double y, double z) {
         .arg(grouped(x, 3), grouped(y, 3), grouped(z, 3));
 }
 
+QString ordinalText(std::uint64_t place) {
+    const bool teen = place % 100 / 10 == 1;
+    const char* ending = teen              ? "th"
+                         : place % 10 == 1 ? "st"
+                         : place % 10 == 2 ? "nd"
+                         : place % 10 == 3 ? "rd"
+                                           : "th";
+    return QString::number(place) + ending;
+}
+
 }  // namespace vestige

@@ -30,6 +30,8 @@ QString fractionText(std::optional<double> fraction);
 QString distanceText(double metres);
 /// "5.0 M", "12.3 k", "870".
 QString countText(std::uint64_t count);
+/// "2nd", "11th": a place in a row.
+QString ordinalText(std::uint64_t place);
 /// "E 483 400.579  N 4 375 661.706  H 34.825 m" for large coordinates, "x 1.250  y -0.310  z 0.840 m" else.
 QString coordinateText(double x, double y, double z);
 

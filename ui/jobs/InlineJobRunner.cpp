@@ -32,4 +32,8 @@ void InlineJobRunner::enqueue(Job job) {
     }
 }
 
+void InlineJobRunner::post(std::function<void()> task) {
+    task();
+}
+
 }  // namespace vestige

@@ -16,6 +16,7 @@ class InlineJobRunner : public JobRunner {
 
   protected:
     void enqueue(Job job) override;
+    void post(std::function<void()> task) override;
 
   private:
     std::vector<Job> waiting_;

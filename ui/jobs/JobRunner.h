@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -40,6 +41,24 @@ class JobRunner : public QObject {
                  }});
     }
 
+    /// As run(); `work` can also hand over parts of what it computes, which `part` gets on the GUI thread in
+    /// the order they were handed over, all before `done`. After cancelling no part is delivered.
+    template <class T, class Part>
+    void runInParts(const QString& title,
+                    std::function<Result<T>(const JobControl&, const std::function<void(Part)>&)> work,
+                    std::function<void(Part)> part, std::function<void(Result<T>)> done) {
+        run<T>(
+            title,
+            [this, work = std::move(work), part = std::move(part)](const JobControl& control) {
+                return work(control, [this, part, control](Part value) {
+                    post([part, control, value = std::make_shared<Part>(std::move(value))] {
+                        if (!control.cancelled()) part(std::move(*value));
+                    });
+                });
+            },
+            std::move(done));
+    }
+
     /// A job runs or waits.
     virtual bool busy() const = 0;
     /// Asks the running job to stop and drops the waiting ones; each still delivers its `done`.
@@ -61,6 +80,8 @@ class JobRunner : public QObject {
         std::function<std::function<void()>(const JobControl&)> work;
     };
     virtual void enqueue(Job job) = 0;
+    /// Has this done on the GUI thread, after what was posted before; called while a job works.
+    virtual void post(std::function<void()> task) = 0;
 };
 
 }  // namespace vestige

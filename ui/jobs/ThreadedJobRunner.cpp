@@ -92,4 +92,8 @@ void ThreadedJobRunner::enqueue(Job job) {
     if (d_->undelivered == 1) emit becameBusy();
 }
 
+void ThreadedJobRunner::post(std::function<void()> task) {
+    QMetaObject::invokeMethod(this, std::move(task), Qt::QueuedConnection);
+}
+
 }  // namespace vestige

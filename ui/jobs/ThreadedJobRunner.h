@@ -18,6 +18,7 @@ class ThreadedJobRunner : public JobRunner {
 
   protected:
     void enqueue(Job job) override;
+    void post(std::function<void()> task) override;
 
   private:
     struct Private;

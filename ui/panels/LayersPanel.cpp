@@ -23,7 +23,10 @@ QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget, const QColor& quiet) {
     row->setIcon(0, swatch(QColor(layer.tint[0], layer.tint[1], layer.tint[2])));
     row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
     row->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
-    const QString points = !layer.data     ? QObject::tr("not read")
+    const QString points = !layer.data               ? QObject::tr("not read")
+                           : layer.data->isPreview() ? QObject::tr("%1 of %2")
+                                                           .arg(countText(layer.data->points->size()),
+                                                                countText(layer.data->awaitedPoints))
                            : layer.visible ? countText(layer.data->points->size())
                                            : QObject::tr("hidden");
     row->setText(1, points);
@@ -46,6 +49,9 @@ QString layerSummary(const Layer& layer, bool isTarget) {
         const auto triangles = layer.data->geometry->triangles.size();
         if (triangles > 0) parts << QObject::tr("%1 triangles").arg(countText(triangles));
     }
+    if (layer.keepEvery > 1) parts << QObject::tr("every %1 point").arg(ordinalText(layer.keepEvery));
+    if (layer.box) parts << QObject::tr("a part of the file");
+    if (layer.data && layer.data->isPreview()) parts << QObject::tr("first look, the rest is being read");
     if (isTarget)
         parts << QObject::tr("target");
     else if (layer.registration)

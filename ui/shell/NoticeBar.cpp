@@ -6,13 +6,12 @@
 #include <QStyle>
 #include <QToolButton>
 #include <QUrl>
-
-#include "ui/document/Notices.h"
+#include <utility>
 
 namespace vestige {
 
 NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
-    : QWidget(parent), text_(new QLabel), button_(new QToolButton) {
+    : QWidget(parent), text_(new QLabel), offers_(new QHBoxLayout) {
     setObjectName("notice");
     setAttribute(Qt::WA_StyledBackground);
     auto* row = new QHBoxLayout(this);
@@ -20,30 +19,22 @@ NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row->addWidget(text_, 1);
-    button_->setObjectName("notice-button");
-    row->addWidget(button_);
+    row->addLayout(offers_);
     auto* close = new QToolButton;
     close->setText(QString::fromUtf8("×"));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close this message"));
     row->addWidget(close);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
-    connect(button_, &QToolButton::clicked, this, [this] {
-        const Action action = action_;  // it may bring the next notice
-        hide();
-        if (action) action();
-    });
     hide_.setSingleShot(true);
     connect(&hide_, &QTimer::timeout, this, &QWidget::hide);
     connect(&notices, &Notices::informed, this, [this](const QString& s) { show(s, false); });
     connect(&notices, &Notices::informedOf, this, [this](const QString& s, const QString& path) {
-        show(s, false, tr("Show"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
+        show(s, false, {{tr("Show"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }}});
     });
     connect(&notices, &Notices::warned, this, [this](const QString& s) { show(s, true); });
     connect(&notices, &Notices::offered, this,
-            [this](const QString& s, const QString& label, const Action& action) {
-                show(s, true, label, action);
-            });
+            [this](const QString& s, const std::vector<Notices::Offer>& offers) { show(s, true, offers); });
     hide();
 }
 
@@ -51,11 +42,26 @@ QString NoticeBar::text() const {
     return isHidden() ? QString() : text_->text();
 }
 
-void NoticeBar::show(const QString& sentence, bool warning, const QString& label, const Action& action) {
-    action_ = action;
+void NoticeBar::show(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers) {
+    // One of them may be what was pressed just now.
+    for (QToolButton* button : std::exchange(buttons_, {})) {
+        button->setObjectName({});
+        button->hide();
+        button->deleteLater();
+    }
+    for (const Notices::Offer& offer : offers) {
+        auto* button = new QToolButton;
+        button->setObjectName(buttons_.empty() ? QString("notice-button")
+                                               : QString("notice-button-%1").arg(buttons_.size() + 1));
+        button->setText(offer.text);
+        connect(button, &QToolButton::clicked, this, [this, take = offer.take] {
+            hide();
+            take();
+        });
+        offers_->addWidget(button);
+        buttons_.push_back(button);
+    }
     text_->setText(sentence);
-    button_->setText(label);
-    button_->setVisible(!label.isEmpty());
     setProperty("warning", warning);
     style()->unpolish(this);
     style()->polish(this);
@@ -63,7 +69,7 @@ void NoticeBar::show(const QString& sentence, bool warning, const QString& label
     if (warning)
         hide_.stop();
     else
-        hide_.start(label.isEmpty() ? 8000 : 30000);
+        hide_.start(offers.empty() ? 8000 : 30000);
 }
 
 }  // namespace vestige

@@ -2,16 +2,17 @@
 
 #include <QTimer>
 #include <QWidget>
-#include <functional>
+#include <vector>
 
+#include "ui/document/Notices.h"
+
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
 namespace vestige {
 
-class Notices;
-
-/// One sentence above the view, perhaps with a button; warnings stay until closed, others go by themselves.
+/// One sentence above the view, perhaps with buttons; warnings stay until closed, others go by themselves.
 class NoticeBar : public QWidget {
     Q_OBJECT
 
@@ -20,12 +21,11 @@ class NoticeBar : public QWidget {
     QString text() const;
 
   private:
-    using Action = std::function<void()>;
-    void show(const QString& sentence, bool warning, const QString& label = {}, const Action& action = {});
+    void show(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers = {});
 
     QLabel* text_;
-    QToolButton* button_;
-    Action action_;
+    QHBoxLayout* offers_;
+    std::vector<QToolButton*> buttons_;
     QTimer hide_;
 };
 

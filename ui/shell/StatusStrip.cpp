@@ -77,9 +77,25 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
     });
     connect(&jobs_, &JobRunner::finished, this, [this] { showIdle(); });
     connect(&document_, &Document::changed, this, [this] {
-        if (!jobs_.busy()) showIdle();
+        if (!jobs_.busy())
+            showIdle();
+        else
+            message_->setText(previewText());
     });
     showIdle();
+}
+
+/// "Showing 1.5 M of 100 M points" while what is shown is not all yet.
+QString StatusStrip::previewText() const {
+    std::uint64_t shown = 0;
+    std::uint64_t awaited = 0;
+    for (const Layer& layer : document_.state().layers) {
+        if (!layer.data || !layer.data->isPreview()) continue;
+        shown += layer.data->points->size();
+        awaited += layer.data->awaitedPoints;
+    }
+    if (awaited == 0) return {};
+    return tr("Showing %1 of %2 points").arg(countText(shown), countText(awaited));
 }
 
 void StatusStrip::showIdle() {

@@ -23,6 +23,7 @@ class StatusStrip : public QWidget {
 
   private:
     void showIdle();
+    QString previewText() const;
 
     Document& document_;
     JobRunner& jobs_;

@@ -20,7 +20,7 @@ class FrameBudget {
     }
 
   private:
-    static constexpr double kLeast = 3e4;
+    static constexpr double kLeast = 5e4;
     static constexpr double kMost = 1e8;
     double seconds_;
     double points_ = 2e5;

@@ -45,7 +45,7 @@ OffscreenWindow::~OffscreenWindow() {
     d_->window->RemoveAllObservers();
 }
 
-vtkGenericOpenGLRenderWindow& OffscreenWindow::renderWindow() {
+vtkRenderWindow& OffscreenWindow::renderWindow() {
     return *d_->window;
 }
 

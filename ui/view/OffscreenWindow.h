@@ -6,7 +6,7 @@
 
 #include "ui/view/GlContext.h"
 
-class vtkGenericOpenGLRenderWindow;
+class vtkRenderWindow;
 
 namespace vestige {
 
@@ -16,7 +16,7 @@ class OffscreenWindow {
     explicit OffscreenWindow(std::unique_ptr<GlContext> context);
     ~OffscreenWindow();
 
-    vtkGenericOpenGLRenderWindow& renderWindow();
+    vtkRenderWindow& renderWindow();
     void resize(const QSize& pixels);
     /// Draws the window's renderers and reads the picture back; opaque.
     QImage draw();

@@ -1,7 +1,7 @@
 #include "ui/view/PointBlocks.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 #include "core/base/Parallel.h"
@@ -10,101 +10,125 @@
 namespace vestige {
 namespace {
 
-constexpr std::uint32_t kBlockBits = 16;
-constexpr std::uint32_t kBlockSize = 1U << kBlockBits;
-constexpr std::size_t kGrain = 16384;
-
-std::uint64_t spreadBits(std::uint64_t x) {
-    x &= 0x1fffff;
-    x = (x | x << 32) & 0x1f00000000ffff;
-    x = (x | x << 16) & 0x1f0000ff0000ff;
-    x = (x | x << 8) & 0x100f00f00f00f00f;
-    x = (x | x << 4) & 0x10c30c30c30c30c3;
-    return (x | x << 2) & 0x1249249249249249;
-}
-
-std::vector<std::uint32_t> mortonOrder(const PointCloud& cloud) {
-    const auto& offsets = cloud.offsets();
-    Eigen::Vector3f low = offsets[0];
-    Eigen::Vector3f high = offsets[0];
-    for (const auto& offset : offsets) {
-        low = low.cwiseMin(offset);
-        high = high.cwiseMax(offset);
-    }
-    const double side = std::max(1e-6, static_cast<double>((high - low).maxCoeff()));
-    const double cells = (1 << 21) - 1;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed(offsets.size());
-    parallelFor(offsets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::Vector3d cell = (offsets[i] - low).cast<double>() * (cells / side);
-            keyed[i] = {spreadBits(static_cast<std::uint64_t>(cell.x())) << 2 |
-                            spreadBits(static_cast<std::uint64_t>(cell.y())) << 1 |
-                            spreadBits(static_cast<std::uint64_t>(cell.z())),
-                        static_cast<std::uint32_t>(i)};
-        }
-    });
-    std::sort(keyed.begin(), keyed.end());
-    std::vector<std::uint32_t> order(keyed.size());
-    std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& pair) { return pair.second; });
-    return order;
-}
+/// A step along the Morton curve exceeds the distance of the nearest neighbour by this on an even surface.
+constexpr double kStepPerSpacing = 1.2;
+constexpr std::uint32_t kStepsSampled = 64;
+/// Points of a picture stand this near, so that one falls onto every pixel whatever their unevenness.
+constexpr double kDensest_px = 0.5;
+constexpr std::uint32_t kLeastPoints = 64;
 
 std::uint32_t reversedBits(std::uint32_t x) {
-    std::uint32_t reversed = 0;
-    for (std::uint32_t bit = 0; bit < kBlockBits; ++bit, x >>= 1) reversed = reversed << 1 | (x & 1);
-    return reversed;
+    x = (x & 0x5555U) << 1 | (x >> 1 & 0x5555U);
+    x = (x & 0x3333U) << 2 | (x >> 2 & 0x3333U);
+    x = (x & 0x0f0fU) << 4 | (x >> 4 & 0x0f0fU);
+    return (x & 0x00ffU) << 8 | (x >> 8 & 0x00ffU);
 }
 
-/// The ranks below kBlockSize with their bits reversed: neighbours on the curve come far apart.
-const std::vector<std::uint32_t>& scatteredRanks() {
-    static const std::vector<std::uint32_t> ranks = [] {
-        std::vector<std::uint32_t> all(kBlockSize);
-        for (std::uint32_t i = 0; i < kBlockSize; ++i) all[i] = reversedBits(i);
-        return all;
-    }();
-    return ranks;
+double stepAt(const Octree& octree, std::uint32_t place) {
+    const auto& offsets = octree.cloud().offsets();
+    return (offsets[octree.order()[place + 1]] - offsets[octree.order()[place]]).norm();
 }
 
-/// The median step along the Morton curve, divided by what that exceeds the distance of the nearest neighbour
-/// by on an even surface.
-double typicalSpacing(const PointCloud& cloud, std::span<const std::uint32_t> morton, double scale) {
+/// The median step along the Morton curve as a distance of neighbours, in the cloud's unit.
+double typicalSpacing(const Octree& octree) {
     SampledRange steps;
-    steps.sample(cloud.size() - 1, [&](std::size_t i) {
-        return (cloud.offsets()[morton[i + 1]] - cloud.offsets()[morton[i]]).norm();
-    });
-    return steps.empty() ? 0 : scale * steps.quantile(0.5) / 1.2;
+    steps.sample(octree.cloud().size() - 1,
+                 [&](std::size_t i) { return stepAt(octree, static_cast<std::uint32_t>(i)); });
+    return steps.empty() ? 0 : steps.quantile(0.5) / kStepPerSpacing;
 }
+
+double medianSpacing(const Octree& octree, std::uint32_t begin, std::uint32_t end) {
+    if (end - begin < 2) return 0;
+    const std::uint32_t count = std::min(kStepsSampled, end - begin - 1);
+    std::vector<double> steps(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        steps[i] =
+            stepAt(octree, begin + static_cast<std::uint32_t>(std::uint64_t{i} * (end - begin - 1) / count));
+    const auto place = steps.begin() + count / 2;
+    std::nth_element(steps.begin(), place, steps.end());
+    return *place / kStepPerSpacing;
+}
+
+/// Offsets that hold the points [begin, end) of the octree's order: the boxes of the nodes within, and the
+/// points of leaves that reach beyond.
+class RangeBox {
+  public:
+    RangeBox(const Octree& octree, std::uint32_t begin, std::uint32_t end)
+        : octree_(octree), begin_(begin), end_(end) {
+        add(octree.nodes().front());
+    }
+    /// World; the corners are moved, so it holds what float offsets round away, too, but for its last bit.
+    BoundingBox placed(const Similarity& worldFromLayer) const {
+        const Eigen::Vector3d& origin = octree_.cloud().origin();
+        BoundingBox box;
+        box.add(Eigen::Vector3d(origin + min_.cast<double>()));
+        box.add(Eigen::Vector3d(origin + max_.cast<double>()));
+        return worldFromLayer.isIdentity() ? box : box.transformed(worldFromLayer);
+    }
+
+  private:
+    void add(const Octree::Node& node) {
+        if (node.end <= begin_ || node.begin >= end_) return;
+        if (node.begin >= begin_ && node.end <= end_) return hold(node.min, node.max);
+        for (std::uint32_t child = 0; child < node.childCount; ++child)
+            add(octree_.nodes()[node.firstChild + child]);
+        if (node.childCount > 0) return;
+        for (std::uint32_t at = std::max(begin_, node.begin); at < std::min(end_, node.end); ++at) {
+            const Eigen::Vector3f& offset = octree_.cloud().offsets()[octree_.order()[at]];
+            hold(offset, offset);
+        }
+    }
+    void hold(const Eigen::Vector3f& min, const Eigen::Vector3f& max) {
+        min_ = any_ ? Eigen::Vector3f(min_.cwiseMin(min)) : min;
+        max_ = any_ ? Eigen::Vector3f(max_.cwiseMax(max)) : max;
+        any_ = true;
+    }
+
+    const Octree& octree_;
+    std::uint32_t begin_;
+    std::uint32_t end_;
+    Eigen::Vector3f min_ = Eigen::Vector3f::Zero();
+    Eigen::Vector3f max_ = Eigen::Vector3f::Zero();
+    bool any_ = false;
+};
 
 }  // namespace
 
-PointBlocks makePointBlocks(const PointCloud& cloud, const Similarity& worldFromLayer,
-                            const Eigen::Vector3d& displayOrigin, std::span<const std::uint32_t> morton) {
-    PointBlocks made;
-    if (cloud.empty()) return made;
-    std::vector<std::uint32_t> own;
-    if (morton.size() != cloud.size()) {
-        own = mortonOrder(cloud);
-        morton = own;
-    }
-    made.order.resize(cloud.size());
-    made.positions.resize(cloud.size());
-    made.blocks.resize((cloud.size() + kBlockSize - 1) / kBlockSize);
-    made.spacing_m = typicalSpacing(cloud, morton, worldFromLayer.scale);
-    const std::vector<std::uint32_t>& ranks = scatteredRanks();
-    parallelChunks(cloud.size(), kBlockSize, [&](std::size_t block, std::size_t begin, std::size_t end) {
-        std::size_t next = begin;
-        for (const std::uint32_t rank : ranks)
-            if (begin + rank < end) made.order[next++] = morton[begin + rank];
-        PointBlock& box = made.blocks[block];
-        box.begin = static_cast<std::uint32_t>(begin);
-        box.end = static_cast<std::uint32_t>(end);
-        for (std::size_t i = begin; i < end; ++i) {
-            made.positions[i] = (worldFromLayer * cloud.point(made.order[i]) - displayOrigin).cast<float>();
-            box.min = i == begin ? made.positions[i] : Eigen::Vector3f(box.min.cwiseMin(made.positions[i]));
-            box.max = i == begin ? made.positions[i] : Eigen::Vector3f(box.max.cwiseMax(made.positions[i]));
+PointBlocks::PointBlocks(std::shared_ptr<const Octree> octree, const Similarity& worldFromLayer)
+    : octree_(std::move(octree)) {
+    const auto count = static_cast<std::uint32_t>(octree_->cloud().size());
+    if (count == 0) return;
+    blocks_.resize((std::size_t{count} + kSize - 1) / kSize);
+    parallelFor(blocks_.size(), 16, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            PointBlock& block = blocks_[i];
+            block.begin = static_cast<std::uint32_t>(i * kSize);
+            block.end = static_cast<std::uint32_t>(std::min<std::size_t>(count, (i + 1) * kSize));
+            block.box = RangeBox(*octree_, block.begin, block.end).placed(worldFromLayer);
+            block.spacing_m = worldFromLayer.scale * medianSpacing(*octree_, block.begin, block.end);
         }
     });
-    return made;
+    spacing_m_ = worldFromLayer.scale * typicalSpacing(*octree_);
+    const std::uint32_t left = blocks_.back().size();
+    if (left == kSize) return;
+    lastRanks_.reserve(left);
+    for (std::uint32_t i = 0; i < kSize; ++i)
+        if (const std::uint32_t rank = reversedBits(i); rank < left)
+            lastRanks_.push_back(static_cast<std::uint16_t>(rank));
+}
+
+std::uint32_t PointBlocks::point(std::size_t block, std::uint32_t rank) const {
+    const bool partial = block + 1 == blocks_.size() && !lastRanks_.empty();
+    return octree_->order()[blocks_[block].begin + (partial ? lastRanks_[rank] : reversedBits(rank))];
+}
+
+std::uint32_t pointsWorthDrawing(const PointBlock& block, double metresPerPixel) {
+    // A share of the points of a surface stands farther apart by the root of that share.
+    const double apart_px = block.spacing_m / (kDensest_px * metresPerPixel);
+    const double share = apart_px * apart_px;
+    if (!(share < 1)) return block.size();
+    return std::min(block.size(),
+                    std::max(kLeastPoints, static_cast<std::uint32_t>(std::ceil(share * block.size()))));
 }
 
 }  // namespace vestige

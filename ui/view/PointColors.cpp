@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "core/base/Parallel.h"
 #include "ui/view/SampledRange.h"
@@ -9,19 +11,15 @@
 namespace vestige {
 namespace {
 
-using Rgba = std::array<std::uint8_t, 4>;
 constexpr std::size_t kGrain = 65536;
+using Geometry = std::shared_ptr<const TriangleMesh>;
 
 template <class ColorOf>
-std::vector<Rgba> fill(std::size_t count, const ColorOf& colorOf) {
-    std::vector<Rgba> colors(count);
-    parallelFor(count, kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Rgb color = colorOf(i);
-            colors[i] = {color[0], color[1], color[2], 255};
-        }
-    });
-    return colors;
+PointPainter painter(ColorOf colorOf) {
+    return [colorOf = std::move(colorOf)](std::size_t i) {
+        const Rgb color = colorOf(i);
+        return Rgba{color[0], color[1], color[2], 255};
+    };
 }
 
 /// 256 steps of a scale: enough for the eye, and no power functions for millions of points.
@@ -51,11 +49,11 @@ double luminance(const Color& color) {
 /// Brightness of points, 0 to 1 between the 2 % and 98 % values, from intensity or else colour.
 class Brightness {
   public:
-    Brightness(const PointAttributes& attributes, bool fromIntensity) : attributes_(attributes) {
-        intensity_ = fromIntensity && !attributes.intensity.empty();
-        if (!intensity_ && attributes.color.empty()) return;
+    explicit Brightness(Geometry geometry) : geometry_(std::move(geometry)) {
+        intensity_ = !attributes().intensity.empty();
+        if (!intensity_ && attributes().color.empty()) return;
         SampledRange range;
-        range.sample(intensity_ ? attributes.intensity.size() : attributes.color.size(),
+        range.sample(intensity_ ? attributes().intensity.size() : attributes().color.size(),
                      [&](std::size_t i) { return raw(i); });
         if (range.empty()) return;
         low_ = range.quantile(0.02);
@@ -66,81 +64,95 @@ class Brightness {
     double at(std::size_t i) const { return std::clamp((raw(i) - low_) / span_, 0.0, 1.0); }
 
   private:
+    const PointAttributes& attributes() const { return geometry_->vertices.attributes(); }
     double raw(std::size_t i) const {
-        return intensity_ ? attributes_.intensity[i] : luminance(attributes_.color[i]);
+        return intensity_ ? attributes().intensity[i] : luminance(attributes().color[i]);
     }
 
-    const PointAttributes& attributes_;
+    Geometry geometry_;
     bool intensity_ = false;
     double low_ = 0;
     double span_ = 0;
 };
 
-std::vector<Rgba> tinted(const PointCloud& cloud, const Rgb& tint) {
-    const Brightness brightness(cloud.attributes(), true);
-    if (!brightness.known()) return fill(cloud.size(), [&](std::size_t) { return tint; });
-    return fill(cloud.size(), [&](std::size_t i) { return scaled(tint, 0.55 + 0.55 * brightness.at(i)); });
+PointPainter tinted(const Geometry& geometry, const Rgb& tint) {
+    const Brightness brightness(geometry);
+    if (!brightness.known()) return painter([tint](std::size_t) { return tint; });
+    return painter(
+        [brightness, tint](std::size_t i) { return scaled(tint, 0.55 + 0.55 * brightness.at(i)); });
 }
 
-std::vector<Rgba> byIntensity(const PointCloud& cloud, const Rgb& tint) {
-    const Brightness brightness(cloud.attributes(), true);
-    if (cloud.attributes().intensity.empty() || !brightness.known()) return tinted(cloud, tint);
-    return fill(cloud.size(), [&](std::size_t i) {
+PointPainter byIntensity(const Geometry& geometry, const Rgb& tint) {
+    const Brightness brightness(geometry);
+    if (geometry->vertices.attributes().intensity.empty() || !brightness.known())
+        return tinted(geometry, tint);
+    return painter([brightness](std::size_t i) {
         const auto grey = static_cast<std::uint8_t>(std::lround(48 + 200 * std::sqrt(brightness.at(i))));
         return Rgb{grey, grey, grey};
     });
 }
 
-std::vector<Rgba> byColor(const PointCloud& cloud, const Rgb& tint) {
-    const auto& color = cloud.attributes().color;
-    if (color.empty()) return tinted(cloud, tint);
-    return fill(cloud.size(), [&](std::size_t i) {
-        return Rgb{static_cast<std::uint8_t>(color[i][0] >> 8), static_cast<std::uint8_t>(color[i][1] >> 8),
-                   static_cast<std::uint8_t>(color[i][2] >> 8)};
+PointPainter byColor(const Geometry& geometry, const Rgb& tint) {
+    if (geometry->vertices.attributes().color.empty()) return tinted(geometry, tint);
+    return painter([geometry](std::size_t i) {
+        const Color& color = geometry->vertices.attributes().color[i];
+        return Rgb{static_cast<std::uint8_t>(color[0] >> 8), static_cast<std::uint8_t>(color[1] >> 8),
+                   static_cast<std::uint8_t>(color[2] >> 8)};
     });
 }
 
-std::vector<Rgba> byHeight(const ViewLayer& layer, const ColorScale& scale) {
-    const PointCloud& cloud = layer.geometry->vertices;
+PointPainter byHeight(const ViewLayer& layer, const ColorScale& scale) {
     const auto steps = table([&](double share) { return heightColor(share, scale.theme); });
-    return fill(cloud.size(), [&](std::size_t i) {
-        const double height = (layer.worldFromLayer * cloud.point(i)).z();
-        return lookUp(steps, (height - scale.low) / (scale.high - scale.low), neutralColor(scale.theme));
+    const Rgb neutral = neutralColor(scale.theme);
+    return painter([geometry = layer.geometry, place = layer.worldFromLayer, steps, neutral, low = scale.low,
+                    span = scale.high - scale.low](std::size_t i) {
+        return lookUp(steps, ((place * geometry->vertices.point(i)).z() - low) / span, neutral);
     });
 }
 
-std::vector<Rgba> byResidual(const ViewLayer& layer, const ColorScale& scale) {
+PointPainter byResidual(const ViewLayer& layer, const ColorScale& scale) {
     const auto steps = table([&](double share) { return differenceColor(2 * share - 1, scale.theme); });
     const Rgb uncompared = uncomparedColor(scale.theme);
-    return fill(layer.residual_m->size(), [&](std::size_t i) {
-        return lookUp(steps, 0.5 + 0.5 * (*layer.residual_m)[i] / scale.high, uncompared);
+    return painter([residuals = layer.residual_m, steps, uncompared, most = scale.high](std::size_t i) {
+        return lookUp(steps, 0.5 + 0.5 * (*residuals)[i] / most, uncompared);
     });
 }
 
 }  // namespace
 
-std::vector<Rgba> pointColors(const ViewDescription& view, std::size_t index,
-                              const std::optional<ColorScale>& scale) {
+PointPainter pointPainter(const ViewDescription& view, std::size_t index,
+                          const std::optional<ColorScale>& scale) {
     const ViewLayer& layer = view.layers[index];
-    const PointCloud& cloud = layer.geometry->vertices;
+    const std::size_t points = layer.geometry->vertices.size();
     if (view.overlay == Overlay::residual) {
-        const bool measured = layer.residual_m && layer.residual_m->size() == cloud.size();
-        return measured && scale ? byResidual(layer, *scale) : tinted(cloud, neutralColor(view.theme));
+        const bool measured = layer.residual_m && layer.residual_m->size() == points;
+        return measured && scale ? byResidual(layer, *scale)
+                                 : tinted(layer.geometry, neutralColor(view.theme));
     }
     const Rgb tint = layerTint(view, index);
-    if (view.overlay != Overlay::none) return tinted(cloud, tint);
+    if (view.overlay != Overlay::none) return tinted(layer.geometry, tint);
     switch (view.colorMode) {
         case ColorMode::height:
             if (scale) return byHeight(layer, *scale);
             break;
         case ColorMode::intensity:
-            return byIntensity(cloud, tint);
+            return byIntensity(layer.geometry, tint);
         case ColorMode::rgb:
-            return byColor(cloud, tint);
+            return byColor(layer.geometry, tint);
         case ColorMode::source:
             break;
     }
-    return tinted(cloud, tint);
+    return tinted(layer.geometry, tint);
+}
+
+std::vector<Rgba> pointColors(const ViewDescription& view, std::size_t index,
+                              const std::optional<ColorScale>& scale) {
+    const PointPainter paint = pointPainter(view, index, scale);
+    std::vector<Rgba> colors(view.layers[index].geometry->vertices.size());
+    parallelFor(colors.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) colors[i] = paint(i);
+    });
+    return colors;
 }
 
 }  // namespace vestige

@@ -7,12 +7,14 @@
 #include <vtkOpenGLCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
-#include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 #include <vtk_glew.h>
 
 #include <cmath>
+#include <utility>
+
+#include "core/base/Parallel.h"
 
 namespace vestige {
 namespace {
@@ -56,111 +58,199 @@ void main() {
 }
 )";
 
+constexpr std::size_t kPagesAtOnce = 8;  // for a thread
+
+struct PageRange {
+    std::uint32_t first;
+    std::uint32_t last;
+};
+
+PageRange pageRange(const RankRange& ranks) {
+    if (ranks.first >= ranks.last) return {0, 0};
+    return {ranks.first / PointStore::kPage, (ranks.last - 1) / PointStore::kPage + 1};
+}
+
 }  // namespace
+
+RankRange rankRange(std::uint32_t wanted, double from, double to) {
+    return {static_cast<std::uint32_t>(std::ceil(from * wanted)),
+            static_cast<std::uint32_t>(std::ceil(to * wanted))};
+}
 
 PointProp* PointProp::New() {
     VTK_STANDARD_NEW_BODY(PointProp);
 }
 
-void PointProp::setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks,
-                             double spacing_m) {
-    spacing_m_ = spacing_m;
-    positions_ = std::move(positions);
+PointProp::~PointProp() {
+    if (store_) store_->drop(places_);
+}
+
+void PointProp::setPoints(std::shared_ptr<const PointCloud> cloud, PointBlocks blocks,
+                          const Similarity& worldFromLayer, const Eigen::Vector3d& displayOrigin,
+                          std::shared_ptr<PointStore> store) {
+    cloud_ = std::move(cloud);
     blocks_ = std::move(blocks);
-    seen_.assign(blocks_.size(), true);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < blocks_.size(); ++i) {
-            const double low = blocks_[i].min[axis];
-            const double high = blocks_[i].max[axis];
-            bounds_[2 * axis] = i ? std::min(bounds_[2 * axis], low) : low;
-            bounds_[2 * axis + 1] = i ? std::max(bounds_[2 * axis + 1], high) : high;
-        }
+    worldFromLayer_ = worldFromLayer;
+    displayOrigin_ = displayOrigin;
+    store_ = std::move(store);
+    places_.assign(placeOf(blocks_.blocks().size(), 0), PointStore::kNowhere);
+    wanted_.assign(blocks_.blocks().size(), 0);
+    BoundingBox box;
+    for (const PointBlock& block : blocks_.blocks()) box.add(block.box);
+    for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
+        bounds_[2 * axis] = box.min[axis] - displayOrigin_[axis];
+        bounds_[2 * axis + 1] = box.max[axis] - displayOrigin_[axis];
     }
     Modified();
 }
 
-void PointProp::setColors(std::vector<Rgba> colors) {
-    colors_ = std::move(colors);
+void PointProp::setPainter(PointPainter painter) {
+    painter_ = std::move(painter);
+    store_->drop(places_);
     Modified();
 }
 
-void PointProp::setPart(double from, double to) {
+void PointProp::setPart(double from, double to, bool whole) {
     from_ = from;
     to_ = to;
+    whole_ = whole;
 }
 
-void PointProp::upload() {
-    if (!positions_.empty()) {
-        positionBuffer_->Upload(positions_, vtkOpenGLBufferObject::ArrayBuffer);
-        positions_ = {};
-        attributesBound_ = false;
-    }
-    if (!colors_.empty()) {
-        colorBuffer_->Upload(colors_, vtkOpenGLBufferObject::ArrayBuffer);
-        colors_ = {};
-        attributesBound_ = false;
-    }
+bool PointProp::needsPage(std::size_t block, std::uint32_t page, double from, double to) const {
+    const RankRange ranks = rankRange(wanted_[block], from, to);
+    return ranks.first < ranks.last && page * PointStore::kPage < ranks.last &&
+           (page + 1) * PointStore::kPage > ranks.first;
 }
 
-int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
-    if (blocks_.empty() || from_ >= to_) return 0;
-    auto* renderer = vtkRenderer::SafeDownCast(viewport);
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    upload();
-    if (!positionBuffer_->IsReady() || !colorBuffer_->IsReady()) return 0;
-
-    vtkShaderProgram* program =
-        window->GetShaderCache()->ReadyShaderProgram(kVertexShader, kFragmentShader, "");
-    if (!program) return 0;
-    if (program != boundProgram_ || !attributesBound_) {
-        arrays_->ShaderProgramChanged();
-        arrays_->Bind();
-        attributesBound_ = arrays_->AddAttributeArray(program, positionBuffer_, "place", 0,
-                                                      sizeof(Eigen::Vector3f), VTK_FLOAT, 3, false) &&
-                           arrays_->AddAttributeArray(program, colorBuffer_, "paint", 0, sizeof(Rgba),
-                                                      VTK_UNSIGNED_CHAR, 4, true);
-        boundProgram_ = program;
+bool PointProp::bring(const std::vector<Page>& pages) {
+    std::vector<std::pair<Page, std::uint32_t>> placed;
+    placed.reserve(pages.size());
+    for (const Page& page : pages) {
+        const std::uint32_t number = store_->add(places_, placeOf(page.block, page.page));
+        if (number == PointStore::kNowhere) break;
+        placed.emplace_back(page, number);
     }
-    arrays_->Bind();
+    parallelFor(placed.size(), kPagesAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [page, number] = placed[i];
+            PointVertex* vertex = store_->staged(number);
+            const std::uint32_t first = page.page * PointStore::kPage;
+            const std::uint32_t last =
+                std::min(first + PointStore::kPage, blocks_.blocks()[page.block].size());
+            for (std::uint32_t rank = first; rank < last; ++rank, ++vertex) {
+                const std::uint32_t point = blocks_.point(page.block, rank);
+                vertex->place = (worldFromLayer_ * cloud_->point(point) - displayOrigin_).cast<float>();
+                vertex->paint = painter_(point);
+            }
+        }
+    });
+    return placed.size() == pages.size();
+}
+
+std::size_t PointProp::pagesMissing(double from, double to) const {
+    std::size_t missing = 0;
+    for (std::size_t block = 0; block < wanted_.size(); ++block) {
+        const PageRange pages = pageRange(rankRange(wanted_[block], from, to));
+        for (std::uint32_t page = pages.first; page < pages.last; ++page)
+            if (places_[placeOf(block, page)] == PointStore::kNowhere) ++missing;
+    }
+    return missing;
+}
+
+std::size_t PointProp::endOfBatch(std::size_t first) const {
+    std::size_t pages = 0;
+    std::size_t block = first;
+    for (; block < wanted_.size(); ++block) {
+        const PageRange range = pageRange(rankRange(wanted_[block], from_, to_));
+        pages += range.last - range.first;
+        if (pages > store_->capacity() && block > first) break;
+    }
+    return block;
+}
+
+void PointProp::drawBlocks(std::size_t first, std::size_t last) const {
+    std::vector<GLint> begins;
+    std::vector<GLsizei> counts;
+    for (std::size_t block = first; block < last; ++block) {
+        const RankRange ranks = rankRange(wanted_[block], from_, to_);
+        for (std::uint32_t rank = ranks.first; rank < ranks.last;) {
+            const std::uint32_t page = rank / PointStore::kPage;
+            const std::uint32_t next = std::min(ranks.last, (page + 1) * PointStore::kPage);
+            const std::uint32_t place = places_[placeOf(block, page)];
+            if (place != PointStore::kNowhere) {
+                const auto begin = static_cast<GLint>(place * PointStore::kPage + rank % PointStore::kPage);
+                const auto count = static_cast<GLsizei>(next - rank);
+                if (!begins.empty() && begins.back() + counts.back() == begin) {
+                    counts.back() += count;
+                } else {
+                    begins.push_back(begin);
+                    counts.push_back(count);
+                }
+            }
+            rank = next;
+        }
+    }
+    if (!begins.empty())
+        glMultiDrawArrays(GL_POINTS, begins.data(), counts.data(), static_cast<GLsizei>(begins.size()));
+}
+
+void PointProp::setUniforms(vtkShaderProgram& program, vtkRenderer& renderer) const {
     vtkMatrix4x4* viewFromDisplay = nullptr;
     vtkMatrix3x3* normals = nullptr;
     vtkMatrix4x4* clipFromView = nullptr;
     vtkMatrix4x4* clipFromDisplay = nullptr;
-    vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
-        ->GetKeyMatrices(renderer, viewFromDisplay, normals, clipFromView, clipFromDisplay);
-    program->SetUniformMatrix("clipFromDisplay", clipFromDisplay);
-    program->SetUniformMatrix4x4("motion", motion_.data());
-    vtkCamera* camera = renderer->GetActiveCamera();
+    vtkCamera* camera = renderer.GetActiveCamera();
+    vtkOpenGLCamera::SafeDownCast(camera)->GetKeyMatrices(&renderer, viewFromDisplay, normals, clipFromView,
+                                                          clipFromDisplay);
+    program.SetUniformMatrix("clipFromDisplay", clipFromDisplay);
+    Eigen::Matrix4f motion = motion_;
+    program.SetUniformMatrix4x4("motion", motion.data());
     const double halfHeight = camera->GetParallelProjection()
                                   ? camera->GetParallelScale()
                                   : std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
     const float range[2] = {static_cast<float>(camera->GetClippingRange()[0]),
                             static_cast<float>(camera->GetClippingRange()[1])};
-    program->SetUniform2f("range", range);
-    program->SetUniformi("parallel", camera->GetParallelProjection() != 0);
-    program->SetUniformf("pull", static_cast<float>(pull_m_));
-    program->SetUniformf("pointSize", static_cast<float>(pointSize_));
-    program->SetUniformf("spacing",
-                         static_cast<float>(spacing_m_ * 0.5 * renderer->GetSize()[1] / halfHeight));
-    glEnable(GL_PROGRAM_POINT_SIZE);
+    program.SetUniform2f("range", range);
+    program.SetUniformi("parallel", camera->GetParallelProjection() != 0);
+    program.SetUniformf("pull", static_cast<float>(pull_m_));
+    program.SetUniformf("pointSize", static_cast<float>(pointSize_));
+    program.SetUniformf("spacing",
+                        static_cast<float>(blocks_.spacing_m() * 0.5 * renderer.GetSize()[1] / halfHeight));
+}
 
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (!seen_[i]) continue;
-        const auto first = static_cast<GLint>(std::ceil(from_ * blocks_[i].size()));
-        const auto last = static_cast<GLint>(std::ceil(to_ * blocks_[i].size()));
-        if (first < last) glDrawArrays(GL_POINTS, static_cast<GLint>(blocks_[i].begin) + first, last - first);
+int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+    if (blocks().empty() || from_ >= to_) return 0;
+    auto* renderer = vtkRenderer::SafeDownCast(viewport);
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    vtkShaderProgram* program =
+        window->GetShaderCache()->ReadyShaderProgram(kVertexShader, kFragmentShader, "");
+    if (!program) return 0;
+    setUniforms(*program, *renderer);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    // Blocks in their order, whatever the store holds: pictures must not depend on what was drawn before.
+    for (std::size_t first = 0; first < wanted_.size();) {
+        const std::size_t last = whole_ ? endOfBatch(first) : wanted_.size();
+        if (whole_) {
+            store_->begin();
+            std::vector<Page> missing;
+            for (std::size_t block = first; block < last; ++block) {
+                const PageRange range = pageRange(rankRange(wanted_[block], from_, to_));
+                for (std::uint32_t page = range.first; page < range.last; ++page)
+                    if (!touchPage(block, page)) missing.push_back({block, page});
+            }
+            bring(missing);
+        }
+        store_->bind(*program);
+        drawBlocks(first, last);
+        first = last;
     }
     glDisable(GL_PROGRAM_POINT_SIZE);
-    arrays_->Release();
+    store_->unbind();
     return 1;
 }
 
 void PointProp::ReleaseGraphicsResources(vtkWindow* window) {
-    positionBuffer_->ReleaseGraphicsResources();
-    colorBuffer_->ReleaseGraphicsResources();
-    arrays_->ReleaseGraphicsResources();
-    boundProgram_ = nullptr;
-    attributesBound_ = false;
+    if (store_) store_->release();
     Superclass::ReleaseGraphicsResources(window);
 }
 

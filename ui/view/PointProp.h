@@ -1,34 +1,35 @@
 #pragma once
 
-#include <vtkNew.h>
-#include <vtkOpenGLBufferObject.h>
-#include <vtkOpenGLVertexArrayObject.h>
 #include <vtkProp.h>
-#include <vtkTimeStamp.h>
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "ui/view/PointBlocks.h"
+#include "ui/view/PointColors.h"
+#include "ui/view/PointStore.h"
 
+class vtkRenderer;
 class vtkShaderProgram;
 
 namespace vestige {
 
-using Rgba = std::array<std::uint8_t, 4>;
-
-/// A point cloud in the VTK scene, drawn block by block straight from two vertex buffers (16 bytes a point;
-/// vtkPolyData with vertex cells takes over 60). How much of each block a frame draws is set before it.
+/// A point cloud in the VTK scene, drawn block by block from the pages that a PointStore holds. How much of
+/// each block a frame draws is set before it.
 class PointProp : public vtkProp {
   public:
     static PointProp* New();
     using Superclass = vtkProp;
 
-    /// Uploaded with the next frame and then dropped here.
-    void setPositions(std::vector<Eigen::Vector3f> positions, std::vector<PointBlock> blocks,
-                      double spacing_m);
-    /// In the order of the positions.
-    void setColors(std::vector<Rgba> colors);
+    /// What is drawn. Positions are computed as pages are needed, in double relative to `displayOrigin`
+    /// before they are rounded to float.
+    void setPoints(std::shared_ptr<const PointCloud> cloud, PointBlocks blocks,
+                   const Similarity& worldFromLayer, const Eigen::Vector3d& displayOrigin,
+                   std::shared_ptr<PointStore> store);
+    /// By index into the cloud; what was drawn in other colours is made again as it is needed.
+    void setPainter(PointPainter painter);
     /// Points are drawn this large, and up to 2.5 times as large where they stand so far apart that a surface
     /// would be full of holes.
     void setPointSize(double pixels) { pointSize_ = pixels; }
@@ -36,14 +37,31 @@ class PointProp : public vtkProp {
     /// Draws the points as if they lay this much nearer to the camera: over what they coincide with.
     void setPull(double metres) { pull_m_ = metres; }
 
-    /// Moves the points from where setPositions() has them, in the display frame.
+    /// Moves the points from where setPoints() has them, in the display frame.
     void setMotion(const Eigen::Matrix4f& motion) { motion_ = motion; }
 
-    const std::vector<PointBlock>& blocks() const { return blocks_; }
-    /// Which blocks the camera may see; as many as blocks().
-    void setSeen(std::vector<bool> seen) { seen_ = std::move(seen); }
-    /// The next frame draws this part of every seen block, as shares of its points.
-    void setPart(double from, double to);
+    const std::vector<PointBlock>& blocks() const { return blocks_.blocks(); }
+    /// How many of each block's points the picture wants (0: not seen); as many as blocks().
+    void setWanted(std::vector<std::uint32_t> wanted) { wanted_ = std::move(wanted); }
+    const std::vector<std::uint32_t>& wanted() const { return wanted_; }
+    /// The next frame draws this part of what is wanted, as shares of it. `whole`: what the store lacks is
+    /// brought in; else it is left out.
+    void setPart(double from, double to, bool whole);
+
+    /// Whether the part [from, to) has points of a page of a block.
+    bool needsPage(std::size_t block, std::uint32_t page, double from, double to) const;
+    /// Pages that the part [from, to) needs and the store lacks.
+    std::size_t pagesMissing(double from, double to) const;
+    /// Whether the store holds the page; if so it stays for this frame.
+    bool touchPage(std::size_t block, std::uint32_t page) {
+        return store_->touch(places_, placeOf(block, page));
+    }
+    struct Page {
+        std::size_t block;
+        std::uint32_t page;
+    };
+    /// Makes these pages and puts them into the store, while it has room; false when it had none for some.
+    bool bring(const std::vector<Page>& pages);
 
     double* GetBounds() override { return bounds_; }
     int RenderOpaqueGeometry(vtkViewport* viewport) override;
@@ -51,27 +69,39 @@ class PointProp : public vtkProp {
 
   protected:
     PointProp() = default;
-    ~PointProp() override = default;
+    ~PointProp() override;
 
   private:
-    void upload();
+    static std::size_t placeOf(std::size_t block, std::uint32_t page) {
+        return block * (PointBlocks::kSize / PointStore::kPage) + page;
+    }
+    void setUniforms(vtkShaderProgram& program, vtkRenderer& renderer) const;
+    void drawBlocks(std::size_t first, std::size_t last) const;
+    /// The block after those whose pages the store can hold at once.
+    std::size_t endOfBatch(std::size_t first) const;
 
-    std::vector<Eigen::Vector3f> positions_;
-    std::vector<Rgba> colors_;
-    std::vector<PointBlock> blocks_;
-    std::vector<bool> seen_;
+    std::shared_ptr<const PointCloud> cloud_;
+    PointBlocks blocks_;
+    Similarity worldFromLayer_;
+    Eigen::Vector3d displayOrigin_ = Eigen::Vector3d::Zero();
+    PointPainter painter_;
+    std::shared_ptr<PointStore> store_;
+    PointStore::Places places_;
+    std::vector<std::uint32_t> wanted_;
     double from_ = 0;
     double to_ = 1;
+    bool whole_ = true;
     double pointSize_ = 2;
-    double spacing_m_ = 0;
     double pull_m_ = 0;
     Eigen::Matrix4f motion_ = Eigen::Matrix4f::Identity();
     double bounds_[6] = {-1, 1, -1, 1, -1, 1};
-    vtkNew<vtkOpenGLBufferObject> positionBuffer_;
-    vtkNew<vtkOpenGLBufferObject> colorBuffer_;
-    vtkNew<vtkOpenGLVertexArrayObject> arrays_;
-    vtkShaderProgram* boundProgram_ = nullptr;
-    bool attributesBound_ = false;
 };
+
+/// The first and last rank of the part [from, to) of `wanted` points.
+struct RankRange {
+    std::uint32_t first;
+    std::uint32_t last;
+};
+RankRange rankRange(std::uint32_t wanted, double from, double to);
 
 }  // namespace vestige

@@ -9,12 +9,15 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "core/pipeline/FrameView.h"
 #include "ui/view/MeshActor.h"
 #include "ui/view/PicturePass.h"
 #include "ui/view/PointColors.h"
 #include "ui/view/PointProp.h"
+#include "ui/view/PointStore.h"
 #include "ui/view/ViewTheme.h"
 #include "ui/view/VtkCamera.h"
 
@@ -59,11 +62,9 @@ struct Drawn {
     BoundingBox box;   ///< world, as built
     std::array<ViewSide, 2> sides;
     vtkSmartPointer<PointProp> points;
-    std::vector<std::uint32_t> order;
     vtkSmartPointer<vtkActor> mesh;
     std::optional<ColorKey> colors;
     bool visible = false;
-    std::size_t seen = 0;
 
     /// World motion from where it was built to where it lies in a picture.
     Similarity motion(int picture) const {
@@ -78,15 +79,22 @@ struct Drawn {
 
 struct SceneDrawing::Private {
     vtkRenderWindow& window;
+    std::shared_ptr<PointStore> store;
+    std::size_t wholeBelow;
     vtkNew<vtkOpenGLRenderer> renderer;
     vtkNew<PicturePass> pass;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world; of everything in the VTK scene
     std::vector<Drawn> layers;                         ///< as in the description
     std::optional<ColorScale> scale;
     double share = 0;
+    std::size_t wanted = 0;
     bool compares = false;
 
-    explicit Private(vtkRenderWindow& shown) : window(shown) {}
+    Private(vtkRenderWindow& shown, std::size_t mostHeld, std::size_t whole)
+        : window(shown),
+          // A block at least, or it could not be drawn.
+          store(std::make_shared<PointStore>(std::max<std::size_t>(mostHeld, PointBlocks::kSize))),
+          wholeBelow(whole) {}
 
     bool nearOrigin(const BoundingBox& box) const {
         return (box.centre() - origin).norm() + box.diagonal() < kNearOrigin_m;
@@ -139,7 +147,7 @@ struct SceneDrawing::Private {
         if (drawn.prop()) renderer->RemoveViewProp(drawn.prop());
     }
 
-    Drawn add(const ViewLayer& layer, const Octree* octree) {
+    Drawn add(const ViewLayer& layer) {
         Drawn drawn;
         drawn.geometry = layer.geometry;
         drawn.built = layer.worldFromLayer;
@@ -148,14 +156,12 @@ struct SceneDrawing::Private {
         if (layer.geometry->isMesh()) {
             drawn.mesh = makeMeshActor(*layer.geometry, layer.worldFromLayer, origin);
         } else {
-            const PointCloud& cloud = layer.geometry->vertices;
-            const bool usable = octree && &octree->cloud() == &cloud;
-            PointBlocks blocks = makePointBlocks(cloud, layer.worldFromLayer, origin,
-                                                 usable ? octree->order() : std::span<const std::uint32_t>{});
+            const std::shared_ptr<const PointCloud> cloud(layer.geometry, &layer.geometry->vertices);
+            const bool usable = layer.octree && &layer.octree->cloud() == cloud.get();
+            auto octree = usable ? layer.octree : std::make_shared<const Octree>(cloud);
             drawn.points = vtkSmartPointer<PointProp>::New();
-            drawn.points->setPositions(std::move(blocks.positions), std::move(blocks.blocks),
-                                       blocks.spacing_m);
-            drawn.order = std::move(blocks.order);
+            drawn.points->setPoints(cloud, PointBlocks(std::move(octree), layer.worldFromLayer),
+                                    layer.worldFromLayer, origin, store);
         }
         renderer->AddViewProp(drawn.prop());
         return drawn;
@@ -181,15 +187,50 @@ struct SceneDrawing::Private {
             byHeight(view) ? std::optional(rowMajor(layer.worldFromLayer.pose)) : std::nullopt};
         if (drawn.colors == key) return;
         drawn.colors = key;
-        const std::vector<Rgba> colors = pointColors(view, index, scale);
-        if (drawn.mesh) return setVertexColors(*drawn.mesh, colors);
-        std::vector<Rgba> ordered(colors.size());
-        for (std::size_t i = 0; i < ordered.size(); ++i) ordered[i] = colors[drawn.order[i]];
-        drawn.points->setColors(std::move(ordered));
+        if (drawn.mesh) return setVertexColors(*drawn.mesh, pointColors(view, index, scale));
+        drawn.points->setPainter(pointPainter(view, index, scale));
+    }
+
+    /// Room in the store for all there is, as far as it goes.
+    void reserve() {
+        std::size_t pages = 0;
+        for (const Drawn& drawn : layers)
+            if (drawn.points)
+                for (const PointBlock& block : drawn.points->blocks())
+                    pages += (block.size() + PointStore::kPage - 1) / PointStore::kPage;
+        store->reserve(pages);
+    }
+
+    /// Calls `visit(prop, block, page)` for the pages that the part [from, to) of the picture needs, the
+    /// first page of each block first; ends when it returns false.
+    template <class Visit>
+    void visitPages(double from, double to, const Visit& visit) const {
+        constexpr std::uint32_t kPages = PointBlocks::kSize / PointStore::kPage;
+        bool any = true;
+        for (std::uint32_t page = 0; page < kPages && any; ++page) {
+            any = false;
+            for (const Drawn& drawn : layers) {
+                if (!drawn.points || !drawn.visible) continue;
+                const std::vector<std::uint32_t>& many = drawn.points->wanted();
+                for (std::size_t block = 0; block < many.size(); ++block) {
+                    if (many[block] == 0) continue;
+                    any = any || page * PointStore::kPage < rankRange(many[block], from, to).last;
+                    if (drawn.points->needsPage(block, page, from, to)) visit(*drawn.points, block, page);
+                }
+            }
+        }
+    }
+
+    void setParts(double from, double to, bool whole, bool meshes) {
+        for (const Drawn& drawn : layers) {
+            if (drawn.points) drawn.points->setPart(from, to, whole);
+            if (drawn.mesh) drawn.mesh->SetVisibility(meshes && drawn.visible);
+        }
     }
 };
 
-SceneDrawing::SceneDrawing(vtkRenderWindow& window) : d_(std::make_unique<Private>(window)) {
+SceneDrawing::SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld, std::size_t wholeBelow)
+    : d_(std::make_unique<Private>(window, mostHeld, wholeBelow)) {
     d_->renderer->SetPass(d_->pass);
     d_->renderer->SetBackground(0, 0, 0);
     // VTK would leave out what the first picture does not show; setCamera() decides for both.
@@ -202,8 +243,7 @@ SceneDrawing::~SceneDrawing() {
     d_->window.RemoveRenderer(d_->renderer);
 }
 
-void SceneDrawing::show(const ViewDescription& view,
-                        const std::vector<std::shared_ptr<const Octree>>& octrees) {
+void SceneDrawing::show(const ViewDescription& view) {
     d_->placeOrigin(view);
     d_->scale = colorScale(view);
     std::vector<Drawn> before = std::move(d_->layers);
@@ -216,7 +256,7 @@ void SceneDrawing::show(const ViewDescription& view,
             d_->layers.push_back(std::move(*known));
             before.erase(known);
         } else {
-            d_->layers.push_back(d_->add(layer, i < octrees.size() ? octrees[i].get() : nullptr));
+            d_->layers.push_back(d_->add(layer));
         }
         Drawn& drawn = d_->layers.back();
         if (!drawn.prop()) continue;
@@ -232,6 +272,8 @@ void SceneDrawing::show(const ViewDescription& view,
         }
     }
     for (const Drawn& drawn : before) d_->remove(drawn);
+    before.clear();
+    d_->reserve();
     d_->pass->setEyeDomeLighting(view.eyeDomeLighting);
     const ViewTheme theme = viewTheme(view.theme);
     d_->pass->setBackground(toVector(theme.backgroundTop), toVector(theme.backgroundBottom));
@@ -254,64 +296,106 @@ void SceneDrawing::setComparison(const ViewComparison& comparison) {
 
 void SceneDrawing::setCamera(const ViewCamera& camera) {
     std::optional<DepthRange> range;
-    const auto include = [&](const std::optional<DepthRange>& one) {
-        if (!one) return;
-        range = range ? DepthRange{std::min(range->nearest, one->nearest),
-                                   std::max(range->farthest, one->farthest)}
-                      : one;
+    const double slope =
+        camera.parallel ? 0 : 2 * std::tan(0.5 * camera.verticalAngle_rad) / camera.height_px;
+    const double parallel = 2 * camera.halfHeight_m / camera.height_px;
+    /// Metres a pixel where the box is nearest in one of the pictures; nothing where it is in none.
+    const auto finestSeen = [&](const BoundingBox& built, const std::vector<Similarity>& motions) {
+        std::optional<double> finest;
+        for (const Similarity& motion : motions) {
+            const BoundingBox box = motion.isIdentity() ? built : built.transformed(motion);
+            const auto seen = depthsSeen(camera, box.min, box.max);
+            if (!seen) continue;
+            range = range ? DepthRange{std::min(range->nearest, seen->nearest),
+                                       std::max(range->farthest, seen->farthest)}
+                          : *seen;
+            const double here = camera.parallel ? parallel : std::max(0.0, slope * seen->nearest);
+            finest = finest ? std::min(*finest, here) : here;
+        }
+        return finest;
     };
+    std::size_t seenPoints = 0;
+    std::vector<std::pair<PointProp*, std::vector<std::optional<double>>>> seen;
     for (Drawn& drawn : d_->layers) {
-        drawn.seen = 0;
         if (!drawn.visible) continue;
         std::vector<Similarity> motions;
         for (int picture = 0; picture < 2; ++picture)
             if (drawn.sides[picture].visible) motions.push_back(drawn.motion(picture));
-        const auto depths = [&](const BoundingBox& built) {
-            bool shown = false;
-            for (const Similarity& motion : motions) {
-                const BoundingBox box = motion.isIdentity() ? built : built.transformed(motion);
-                const auto seen = depthsSeen(camera, box.min, box.max);
-                include(seen);
-                shown = shown || seen;
-            }
-            return shown;
-        };
         if (drawn.mesh) {
-            depths(drawn.box);
+            finestSeen(drawn.box, motions);
             continue;
         }
-        const std::vector<PointBlock>& blocks = drawn.points->blocks();
-        std::vector<bool> seen(blocks.size());
-        for (std::size_t i = 0; i < blocks.size(); ++i) {
-            seen[i] = depths(
-                {d_->origin + blocks[i].min.cast<double>(), d_->origin + blocks[i].max.cast<double>()});
-            if (seen[i]) drawn.seen += blocks[i].size();
+        auto& [points, finest] = seen.emplace_back(drawn.points.Get(), std::vector<std::optional<double>>());
+        for (const PointBlock& block : points->blocks()) {
+            finest.push_back(finestSeen(block.box, motions));
+            if (finest.back()) seenPoints += block.size();
         }
-        drawn.points->setSeen(std::move(seen));
+    }
+    d_->wanted = 0;
+    for (const auto& [points, finest] : seen) {
+        std::vector<std::uint32_t> wanted(finest.size(), 0);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (!finest[i]) continue;
+            const PointBlock& block = points->blocks()[i];
+            wanted[i] = seenPoints <= d_->wholeBelow ? block.size() : pointsWorthDrawing(block, *finest[i]);
+            d_->wanted += wanted[i];
+        }
+        points->setWanted(std::move(wanted));
     }
     setVtkCamera(*d_->renderer->GetActiveCamera(), camera, d_->origin, range.value_or(DepthRange{1, 2}));
 }
 
-std::size_t SceneDrawing::pointsSeen() const {
-    std::size_t sum = 0;
-    for (const Drawn& drawn : d_->layers) sum += drawn.seen;
-    return sum;
+std::size_t SceneDrawing::pointsWanted() const {
+    return d_->wanted;
+}
+
+std::uint64_t SceneDrawing::pointsUploaded() const {
+    return d_->store->uploadedPoints();
+}
+
+std::size_t SceneDrawing::pointsHeld() const {
+    return d_->store->pagesHeld() * PointStore::kPage;
+}
+
+double SceneDrawing::shareWithin(double from, double to, std::size_t most) const {
+    const auto missing = [&](double until) {
+        std::size_t pages = 0;
+        for (const Drawn& drawn : d_->layers)
+            if (drawn.points && drawn.visible) pages += drawn.points->pagesMissing(from, until);
+        return pages * PointStore::kPage;
+    };
+    double until = to;
+    for (int halving = 0; halving < 12 && missing(until) > most; ++halving) until = 0.5 * (from + until);
+    return until;
 }
 
 void SceneDrawing::beginPicture(double share) {
     d_->pass->restart();
     d_->share = share;
-    for (const Drawn& drawn : d_->layers) {
-        if (drawn.points) drawn.points->setPart(0, share);
-        if (drawn.mesh) drawn.mesh->SetVisibility(drawn.visible);
-    }
+    d_->setParts(0, share, true, true);
+}
+
+bool SceneDrawing::beginPassingPicture(double share, std::size_t most) {
+    d_->pass->restart();
+    d_->share = share;
+    d_->setParts(0, share, false, true);
+    d_->store->begin();
+    std::map<PointProp*, std::vector<PointProp::Page>> missing;
+    std::size_t points = 0;
+    bool all = true;
+    d_->visitPages(0, share, [&](PointProp& prop, std::size_t block, std::uint32_t page) {
+        if (prop.touchPage(block, page)) return;
+        all = all && points < most;
+        if (points >= most) return;
+        points += PointStore::kPage;
+        missing[&prop].push_back({block, page});
+    });
+    for (auto& [prop, pages] : missing) all = prop->bring(pages) && all;
+    return all;
 }
 
 void SceneDrawing::addToPicture(double share) {
-    for (const Drawn& drawn : d_->layers) {
-        if (drawn.points) drawn.points->setPart(d_->share, share);
-        if (drawn.mesh) drawn.mesh->SetVisibility(false);
-    }
+    d_->setParts(d_->share, share, true, false);
     d_->share = share;
 }
 

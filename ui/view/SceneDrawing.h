@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
-#include "core/geometry/Octree.h"
 #include "ui/view/ColorScale.h"
 
 class vtkRenderWindow;
@@ -13,23 +13,42 @@ namespace vestige {
 /// a frame adds. The window's owner draws the frames.
 class SceneDrawing {
   public:
+    /// Points that the graphics card holds at most: 400 MB of them, a tenth of what a small card has, and
+    /// several times what a picture of 4 million pixels needs.
+    static constexpr std::size_t kMostHeld = std::size_t{24} << 20;
+    /// While the blocks that are seen have fewer points than this, all of them are drawn; beyond, those that
+    /// the picture's pixels can show.
+    static constexpr std::size_t kWholeBelow = 4'000'000;
+
     /// The window must outlive this object.
-    explicit SceneDrawing(vtkRenderWindow& window);
+    explicit SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld = kMostHeld,
+                          std::size_t wholeBelow = kWholeBelow);
     ~SceneDrawing();
 
-    /// Rebuilds what differs from what is there; a layer that was moved is moved, not built again. `octrees`
-    /// (by the layers' index, may be empty) save sorting the points. The description's camera is not taken.
-    void show(const ViewDescription& view, const std::vector<std::shared_ptr<const Octree>>& octrees = {});
+    /// Rebuilds what differs from what is there; a layer that was moved is moved, not built again. A layer
+    /// without an octree gets one here. The description's camera is not taken.
+    void show(const ViewDescription& view);
     void setCamera(const ViewCamera& camera);
 
     /// How the two pictures of a comparison are laid into each other; costs no drawing of points. The
     /// description shown says whether there are two.
     void setComparison(const ViewComparison& comparison);
 
-    /// Points of the blocks that the camera may see.
-    std::size_t pointsSeen() const;
-    /// The next frame shows the meshes and the first `share` (0 to 1) of the points seen.
+    /// Points that the picture needs to be complete.
+    std::size_t pointsWanted() const;
+    /// Points that the graphics card was given since the beginning, and those it holds.
+    std::uint64_t pointsUploaded() const;
+    std::size_t pointsHeld() const;
+
+    /// The largest share up to `to` for which the part from `from` asks for about `most` points that are not
+    /// held yet; more than `from` in any case.
+    double shareWithin(double from, double to, std::size_t most) const;
+    /// The next frame shows the meshes and the first `share` (0 to 1) of the points wanted.
     void beginPicture(double share);
+    /// Like beginPicture(), for a picture that will be replaced at once: brings at most about `most` points
+    /// to the graphics card, the first of each block first, and leaves out what it does not hold. True when
+    /// that is nothing.
+    bool beginPassingPicture(double share, std::size_t most);
     /// The next frame adds points to the last one, up to `share`. Only while the camera and the description
     /// stay the same.
     void addToPicture(double share);

@@ -20,7 +20,12 @@ namespace {
 
 constexpr double kMovingFrame_s = 0.07;
 constexpr double kRestingFrame_s = 0.12;
+/// A picture is complete after so many steps at most, once the graphics card holds its points: each step
+/// costs light and copying, too, however few its points.
+constexpr double kLeastStep = 1.0 / 12;
 constexpr int kRest_ms = 160;
+/// Points made ready and given to the graphics card between two frames: about 30 ms on two cores.
+constexpr std::size_t kBroughtAtOnce = 400'000;
 constexpr double kPivotRadius_px = 24;
 
 /// Paints over the picture; mouse and keyboard go through it.
@@ -65,7 +70,8 @@ struct SceneView::Private {
     bool sceneChanged = true;
     bool pictureChanged = true;
     bool moving = false;
-    double share = 0;  // of the points seen that the picture holds
+    double share = 0;    // of the points wanted that the picture holds
+    bool lacks = false;  // the picture has not all points of that share
 
     QSize size() const { return surface->widget()->size(); }
 
@@ -82,15 +88,21 @@ struct SceneView::Private {
     void step(bool all) {
         if (size().isEmpty()) return;
         fitCamera();
-        if (sceneChanged) drawing->show(description, octrees);
+        if (sceneChanged) drawing->show(description);
         const bool begin = sceneChanged || pictureChanged;
         if (begin) drawing->setCamera(camera);
-        const std::size_t seen = drawing->pointsSeen();
-        const FrameBudget& budget = moving ? movingBudget : restingBudget;
-        const double part = seen == 0 || all ? 1.0 : static_cast<double>(budget.points()) / seen;
+        const std::size_t wanted = drawing->pointsWanted();
+        FrameBudget& budget = moving ? movingBudget : restingBudget;
+        double part = wanted == 0 || all ? 1.0 : static_cast<double>(budget.points()) / wanted;
+        if (!moving) part = std::max(part, kLeastStep);
         const double from = begin ? 0 : share;
-        const double to = std::min(1.0, from + part);
-        if (begin)
+        double to = std::min(1.0, from + part);
+        const bool passing = moving && begin && !all;
+        if (!all && !passing) to = drawing->shareWithin(from, to, kBroughtAtOnce);
+        bool holds = true;
+        if (passing)
+            holds = drawing->beginPassingPicture(to, kBroughtAtOnce);
+        else if (begin)
             drawing->beginPicture(to);
         else
             drawing->addToPicture(to);
@@ -100,12 +112,20 @@ struct SceneView::Private {
             frameTimer.start(20);
             return;
         }
-        const auto drawn = static_cast<std::size_t>((to - from) * static_cast<double>(seen));
-        (moving ? movingBudget : restingBudget).frameTook(drawn, 1e-9 * clock.nsecsElapsed());
+        budget.frameTook(static_cast<std::size_t>((to - from) * static_cast<double>(wanted)),
+                         1e-9 * clock.nsecsElapsed());
+        if (begin) lacks = !holds;
         sceneChanged = pictureChanged = false;
         share = to;
         overlay->update();
         if (share < 1 && !moving) frameTimer.start(0);
+    }
+
+    /// The camera stands still: what was left out of passing pictures comes in.
+    void rest() {
+        moving = false;
+        if (lacks) pictureChanged = true;
+        frameTimer.start(0);
     }
 
     void redraw() {
@@ -144,10 +164,7 @@ SceneView::SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent)
     d_->frameTimer.setSingleShot(true);
     d_->restTimer.setSingleShot(true);
     connect(&d_->frameTimer, &QTimer::timeout, this, [this] { d_->step(false); });
-    connect(&d_->restTimer, &QTimer::timeout, this, [this] {
-        d_->moving = false;
-        d_->frameTimer.start(0);
-    });
+    connect(&d_->restTimer, &QTimer::timeout, this, [this] { d_->rest(); });
 }
 
 SceneView::~SceneView() = default;
@@ -238,7 +255,14 @@ void SceneView::setCovered(std::vector<QRectF> covered) {
 
 void SceneView::completePicture() {
     d_->moving = false;
-    if (d_->sceneChanged || d_->pictureChanged || d_->share < 1) d_->step(true);
+    if (isComplete()) return;
+    // Points of equal depth hide each other by the order of drawing, so what was begun is drawn anew.
+    d_->pictureChanged = true;
+    d_->step(true);
+}
+
+bool SceneView::isComplete() const {
+    return !d_->sceneChanged && !d_->pictureChanged && !d_->lacks && d_->share >= 1;
 }
 
 QImage SceneView::grab() {

@@ -57,6 +57,8 @@ class SceneView : public QObject {
     /// What stands over the view (tool bars), in its pixels: legend and labels keep clear of it.
     void setCovered(std::vector<QRectF> covered);
 
+    /// Whether the picture shows everything there is to see from here.
+    bool isComplete() const;
     /// Draws at once what is still missing of a picture that is built up step by step.
     void completePicture();
     /// The complete picture, without the window round it. Null before the widget is shown.

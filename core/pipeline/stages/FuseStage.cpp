@@ -4,6 +4,7 @@
 #include "core/base/AtomicFile.h"
 #include "core/base/Hash.h"
 #include "core/io/LasWriter.h"
+#include "core/pipeline/LoadLayers.h"
 #include "core/pipeline/ReconstructRun.h"
 #include "core/pipeline/RegistrationsJson.h"
 #include "core/pipeline/joint/AdjustmentJson.h"
@@ -49,14 +50,18 @@ LasWriteOptions headerOf(const SceneState& scene) {
     return options;
 }
 
-/// The original points of the target and of every layer registered to it, where the scene has them.
+/// The original points, with all their attributes, of the target and of every layer registered to it, where
+/// the scene has them.
 std::vector<LasPart> partsOf(const SceneState& scene) {
     std::vector<LasPart> parts;
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         const Layer& layer = scene.layers[i];
         if (layer.id == scene.target || layer.registration)
-            parts.push_back(
-                {layer.data->points.get(), sceneFromLayer(layer), static_cast<std::uint16_t>(i + 1)});
+            parts.push_back({layer.data->points.get(), sceneFromLayer(layer),
+                             static_cast<std::uint16_t>(i + 1),
+                             [&layer, file = scene.resolve(layer.path)](const JobControl& control) {
+                                 return allAttributes(layer, file, control);
+                             }});
     }
     return parts;
 }

@@ -37,8 +37,8 @@ Status loadStage(ReconstructRun& run, const JobControl& control) {
         const JobControl sub =
             control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         sub.progress(0, "reading " + file.filename().string());
-        if (!layers[i].data) {
-            auto data = loadLayerData(file, sub, layers[i].salvage);
+        if (!layers[i].data || layers[i].data->isPreview()) {
+            auto data = loadLayer(layers[i], file, sub);
             if (!data) return fail(data.error());
             layers[i].data = std::move(*data);
         }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/scene/casefile/CaseJson.h"
@@ -82,6 +83,21 @@ LayerRole readRole(const JsonCursor& cursor) {
     return *role;
 }
 
+Json boxJson(const BoundingBox& box) {
+    return {box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z()};
+}
+
+BoundingBox readBox(const JsonCursor& cursor) {
+    const auto sides = cursor.elements(6, "a box [xmin, ymin, zmin, xmax, ymax, zmax]");
+    BoundingBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = sides[axis].real();
+        box.max[axis] = sides[axis + 3].real();
+    }
+    if (box.empty()) cursor.reject("a least coordinate of the box exceeds its greatest");
+    return box;
+}
+
 }  // namespace
 
 Json layerJson(const Layer& layer, const PathText& pathText) {
@@ -98,6 +114,8 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
     if (layer.unit) json["unit"] = symbol(*layer.unit);
     if (!std::holds_alternative<InitIdentity>(layer.init)) json["init"] = initJson(layer.init, pathText);
     if (layer.salvage) json["salvage"] = true;
+    if (layer.keepEvery > 1) json["keep_every"] = layer.keepEvery;
+    if (layer.box) json["box"] = boxJson(*layer.box);
     json["visible"] = layer.visible;
     json["tint"] = layer.tint;
     if (layer.registration) json["registration"] = resultJson(*layer.registration);
@@ -106,7 +124,7 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
 
 Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
     cursor.warnOfOthers({"id", "name", "role", "method", "path", "sha256", "bytes", "modified", "unit",
-                         "init", "salvage", "visible", "tint", "registration"});
+                         "keep_every", "box", "init", "salvage", "visible", "tint", "registration"});
     Layer layer;
     layer.id = cursor.at("id").name();
     layer.role = readRole(cursor.at("role"));
@@ -117,6 +135,10 @@ Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesyst
     layer.method = method ? method->name() : std::string(defaultMethod(layer.role));
     layer.evidence = readEvidence(cursor);
     if (const auto unit = cursor.find("unit")) layer.unit = readUnit(*unit);
+    if (const auto every = cursor.find("keep_every"))
+        layer.keepEvery =
+            static_cast<std::uint32_t>(every->integer(1, std::numeric_limits<std::int32_t>::max()));
+    if (const auto box = cursor.find("box")) layer.box = readBox(*box);
     if (const auto init = cursor.find("init")) layer.init = readInit(*init, layer, folder);
     if (const auto salvage = cursor.find("salvage")) layer.salvage = salvage->boolean();
     if (const auto visible = cursor.find("visible")) layer.visible = visible->boolean();

@@ -88,7 +88,10 @@ class ChangeLayer final : public SceneEdit {
         Layer& held = *scene.layer(layer_.id);
         std::swap(held, layer_);
         // Data that was attached after this edit was made, or undone, belongs to the file, not to the edit.
-        if (!held.data && held.path == layer_.path) held.data = layer_.data;
+        const bool samePart =
+            held.keepEvery == layer_.keepEvery && held.box.has_value() == layer_.box.has_value() &&
+            (!held.box || (held.box->min == layer_.box->min && held.box->max == layer_.box->max));
+        if (!held.data && held.path == layer_.path && samePart) held.data = layer_.data;
     }
 
     Layer layer_;

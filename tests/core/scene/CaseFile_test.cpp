@@ -193,6 +193,35 @@ TEST(CaseFile, ALayerMayBeSalvaged) {
     EXPECT_TRUE(again->layers[0].salvage);
 }
 
+TEST(CaseFile, ALayerMayBeAPartOfItsFile) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "case.json", R"({"vestige":1,"layers":[
+        {"id":"a","role":"aerial","path":"a.las","keep_every":4},
+        {"id":"b","role":"aerial","path":"b.las","box":[483000.5,0,-2,483010,5,3]}]})"));
+    const auto scene = readCase(folder / "case.json");
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    ASSERT_TRUE(writeCase(folder / "again.json", *scene));
+    const auto again = readCase(folder / "again.json");
+    ASSERT_TRUE(again);
+    for (const auto* read : {&*scene, &*again}) {
+        EXPECT_EQ(read->layers[0].keepEvery, 4U);
+        EXPECT_FALSE(read->layers[0].box);
+        EXPECT_EQ(read->layers[1].keepEvery, 1U);
+        ASSERT_TRUE(read->layers[1].box);
+        EXPECT_EQ(read->layers[1].box->min, Eigen::Vector3d(483000.5, 0, -2));
+        EXPECT_EQ(read->layers[1].box->max, Eigen::Vector3d(483010, 5, 3));
+    }
+    for (const char* wrong : {R"("keep_every":0)", R"("box":[1,2,3])", R"("box":[2,0,0,1,1,1])"}) {
+        ASSERT_TRUE(
+            writeTextFile(folder / "wrong.json",
+                          std::string(R"({"vestige":1,"layers":[{"id":"a","role":"aerial","path":"a.las",)") +
+                              wrong + "}]}"));
+        const auto refused = readCase(folder / "wrong.json");
+        ASSERT_FALSE(refused) << wrong;
+        EXPECT_EQ(refused.error().code, ErrorCode::input);
+    }
+}
+
 TEST(CaseFile, UnknownKeysAreWarnedOf) {
     const TemporaryFolder folder;
     const auto file = folder / "case.json";

@@ -92,6 +92,30 @@ TEST(Scene, GroupsAreOneStep) {
     EXPECT_EQ(scene.undoText(), "tape both");
 }
 
+TEST(Scene, DataThatReplaceAPreviewReachTheHistoryToo) {
+    Scene scene(sampleScene());
+    const auto preview = std::make_shared<const LayerData>();
+    const auto whole = std::make_shared<const LayerData>();
+    Layer added;
+    added.id = "large";
+    added.data = preview;
+    scene.perform(addLayer(added));
+    Layer renamed = added;
+    renamed.name = "Large";
+    scene.perform(changeLayer(renamed, "rename"));
+    scene.undo();
+    scene.undo();
+    ASSERT_FALSE(scene.state().layer("large"));
+    scene.replaceData(preview, whole);
+    scene.redo();
+    EXPECT_EQ(scene.state().layer("large")->data, whole);
+    scene.redo();
+    EXPECT_EQ(scene.state().layer("large")->data, whole);
+    EXPECT_EQ(scene.state().layer("large")->name, "Large");
+    scene.replaceData(whole, nullptr);
+    EXPECT_FALSE(scene.state().layer("large")->data);
+}
+
 TEST(Scene, AttachedDataAreNoStep) {
     Scene scene(sampleScene());
     const auto data = std::make_shared<const LayerData>();

@@ -48,6 +48,20 @@ TYPED_TEST(JobRunners, TurnsExceptionsIntoErrors) {
     EXPECT_NE(sentence.find("the divisor is zero"), std::string::npos) << sentence;
 }
 
+TYPED_TEST(JobRunners, HandsOverPartsBeforeTheResult) {
+    std::string order;
+    this->runner.template runInParts<std::string, int>(
+        "counting",
+        [](const JobControl&, const std::function<void(int)>& show) -> Result<std::string> {
+            for (int i = 1; i <= 3; ++i) show(i);
+            return std::string("end");
+        },
+        [&order](int part) { order += std::to_string(part); },
+        [&order](Result<std::string> result) { order += *result; });
+    this->finish();
+    EXPECT_EQ(order, "123end");
+}
+
 TYPED_TEST(JobRunners, RunsInOrder) {
     std::string order;
     for (const char* name : {"a", "b", "c"})

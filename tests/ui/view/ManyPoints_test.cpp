@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include "app/offscreen/OsMesaContext.h"
+#include "tests/ui/view/Samples.h"
+#include "ui/view/OffscreenWindow.h"
+#include "ui/view/SceneDrawing.h"
+
+using namespace vestige;
+using namespace vestige::test;
+
+namespace {
+
+/// A drawing without a window that keeps few points and draws few whole.
+struct SmallDrawing {
+    OffscreenWindow window{osMesaContext()};
+    SceneDrawing drawing;
+
+    SmallDrawing(std::size_t mostHeld, std::size_t wholeBelow)
+        : drawing(window.renderWindow(), mostHeld, wholeBelow) {
+        window.resize({400, 300});
+    }
+    void show(const ViewDescription& view) {
+        drawing.show(view);
+        drawing.setCamera(view.camera);
+    }
+    QImage complete() {
+        drawing.beginPicture(1);
+        return window.draw();
+    }
+};
+
+/// Of a square of 2.25 million points, in 35 blocks.
+const std::shared_ptr<const TriangleMesh>& square() {
+    static const auto mesh = flatSquare(1500);
+    return mesh;
+}
+
+ViewDescription squareByHeight(NamedView view) {
+    ViewDescription description = plainView(square(), view);
+    description.colorMode = ColorMode::height;
+    return description;
+}
+
+}  // namespace
+
+TEST(ManyPoints, APictureAsksForNoMoreThanItsPixelsShow) {
+    const ViewDescription view = plainView(square(), NamedView::top);
+    SmallDrawing thinned(1 << 24, 0);
+    thinned.show(view);
+    // The square covers about 270 x 270 pixels, four points each.
+    EXPECT_LT(thinned.drawing.pointsWanted(), 800'000U);
+    EXPECT_GT(thinned.drawing.pointsWanted(), 270 * 270U);
+    const QImage picture = thinned.complete();
+    EXPECT_LT(thinned.drawing.pointsUploaded(), 810'000U) << "no more than it draws";
+    SmallDrawing whole(1 << 24, SceneDrawing::kWholeBelow);
+    whole.show(view);
+    EXPECT_EQ(whole.drawing.pointsWanted(), 2'250'000U);
+    EXPECT_EQ(picture, whole.complete()) << "what was left out shows nowhere";
+}
+
+TEST(ManyPoints, NearPointsAreAllDrawn) {
+    ViewDescription view = plainView(square(), NamedView::top);
+    view.camera.halfHeight_m = 0.2;
+    SmallDrawing small(1 << 24, 0);
+    small.show(view);
+    SmallDrawing whole(1 << 24, 1 << 24);
+    whole.show(view);
+    EXPECT_EQ(small.drawing.pointsWanted(), whole.drawing.pointsWanted());
+    EXPECT_LT(small.drawing.pointsWanted(), 600'000U) << "blocks out of the picture take no part";
+    EXPECT_EQ(small.complete(), whole.complete());
+}
+
+TEST(ManyPoints, WhatTheGraphicsCardHoldsIsBounded) {
+    const ViewDescription view = squareByHeight(NamedView::perspective);
+    constexpr std::size_t kHeld = 200'000;
+    SmallDrawing small(kHeld, 1 << 24);
+    small.show(view);
+    const QImage picture = small.complete();
+    EXPECT_GE(small.drawing.pointsUploaded(), 2'250'000U) << "every point passed through";
+    EXPECT_LE(small.drawing.pointsHeld(), kHeld);
+    SmallDrawing large(1 << 24, 1 << 24);
+    large.show(view);
+    EXPECT_EQ(picture, large.complete());
+    EXPECT_EQ(small.complete(), picture) << "and again, from what it holds now";
+    EXPECT_LE(small.drawing.pointsHeld(), kHeld);
+}
+
+TEST(ManyPoints, WhatIsHeldIsNotBroughtAgain) {
+    const ViewDescription view = squareByHeight(NamedView::perspective);
+    SmallDrawing small(1 << 24, 1 << 24);
+    small.show(view);
+    small.complete();
+    const std::uint64_t once = small.drawing.pointsUploaded();
+    small.complete();
+    EXPECT_EQ(small.drawing.pointsUploaded(), once);
+    ViewDescription recolored = view;
+    recolored.colorMode = ColorMode::source;
+    small.show(recolored);
+    small.complete();
+    EXPECT_EQ(small.drawing.pointsUploaded(), 2 * once) << "colours lie beside the positions";
+}
+
+TEST(ManyPoints, APassingPictureBringsLittleAndTheFirstOfEveryBlock) {
+    const ViewDescription view = squareByHeight(NamedView::top);
+    SmallDrawing small(1 << 24, 1 << 24);
+    small.show(view);
+    EXPECT_FALSE(small.drawing.beginPassingPicture(0.5, 20'000));
+    const QImage first = small.window.draw();
+    EXPECT_LE(small.drawing.pointsUploaded(), 20'000U + 256);
+    // Points of every part of the square are there.
+    for (const QPoint corner : {QPoint(100, 50), QPoint(300, 50), QPoint(100, 250), QPoint(300, 250)}) {
+        int lit = 0;
+        for (int y = -20; y < 20; ++y)
+            for (int x = -20; x < 20; ++x)
+                lit += qGray(first.pixel(corner.x() + x, corner.y() + y)) > 60 ? 1 : 0;
+        EXPECT_GT(lit, 20) << corner.x() << " " << corner.y();
+    }
+    EXPECT_TRUE(small.drawing.beginPassingPicture(0.001, 20'000)) << "so much it holds";
+}
+
+TEST(ManyPoints, StepsAddUpToThePictureDrawnAtOnce) {
+    const ViewDescription view = squareByHeight(NamedView::perspective);
+    SmallDrawing steps(1 << 24, 1 << 24);
+    steps.show(view);
+    double share = steps.drawing.shareWithin(0, 1, 200'000);
+    EXPECT_LT(share, 0.5);
+    steps.drawing.beginPicture(share);
+    QImage picture = steps.window.draw();
+    std::uint64_t before = 0;
+    while (share < 1) {
+        EXPECT_LT(steps.drawing.pointsUploaded() - before, 260'000U);
+        before = steps.drawing.pointsUploaded();
+        share = steps.drawing.shareWithin(share, 1, 200'000);
+        steps.drawing.addToPicture(share);
+        picture = steps.window.draw();
+    }
+    EXPECT_EQ(picture, steps.complete());
+}
