@@ -10,23 +10,23 @@
 #include "core/base/Parallel.h"
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/Coordinates.h"
-#include "core/io/formats/E57Format.h"
-#include "core/io/formats/GltfFormat.h"
 #include "core/io/CrsUnits.h"
-#include "core/io/formats/EinscanMarkers.h"
 #include "core/io/MappedFile.h"
+#include "core/io/formats/E57Format.h"
+#include "core/io/formats/EinscanMarkers.h"
+#include "core/io/formats/GltfFormat.h"
 #include "core/io/formats/LasFormat.h"
 #include "core/io/formats/ObjFormat.h"
 #include "core/io/formats/PcdFormat.h"
 #include "core/io/formats/PlyFormat.h"
 #include "core/io/formats/PntsFormat.h"
-#include "core/io/formats/S3mbFormat.h"
 #include "core/io/formats/PtxFormat.h"
+#include "core/io/formats/S3mbFormat.h"
 #include "core/io/formats/SbetFormat.h"
 #include "core/io/formats/StlFormat.h"
 #include "core/io/formats/TextFormat.h"
-#include "core/io/formats/TilesetFormat.h"
 #include "core/io/formats/ThreeMfFormat.h"
+#include "core/io/formats/TilesetFormat.h"
 #include "core/io/formats/VtkFormat.h"
 
 namespace vestige {
@@ -89,6 +89,8 @@ Status checkCoordinates(const std::filesystem::path& file, const PointCloud& clo
 Status checkBounds(const std::filesystem::path& file, const FileInfo& info) {
     if (info.points == 0 || (isUsable(info.bounds.min) && isUsable(info.bounds.max))) return {};
     return unusable(file, "the points' bounds");
+}
+
 /// What `read` makes of the file, refused when the file is not the same before and after. Also where reading
 /// failed: what it complains of may be what the change did.
 template <class T, class Read>
