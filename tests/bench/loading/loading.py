@@ -32,6 +32,8 @@ def cloud_compare(program, file):
     run = subprocess.run(["/usr/bin/env", "time", "-f", "%M", program, "-SILENT", "-AUTO_SAVE", "OFF", "-O", "-GLOBAL_SHIFT", "AUTO",
                           str(file)], env=environment, capture_output=True, text=True, check=False)
     seconds = time.perf_counter() - begin
+    if "[Load]" in run.stdout + run.stderr:  # what it says of files it has no reader for
+        return None
     memory = re.search(r"(\d+)\s*$", run.stderr)
     return seconds, 0, int(memory[1]) // 1024 if memory else None
 
@@ -59,8 +61,8 @@ def peers(binaries, file):
 
         def compare():
             empty = cloud_compare(program, tiny)[0]
-            seconds, points, memory = cloud_compare(program, file)
-            return seconds - empty, points, memory
+            result = cloud_compare(program, file)
+            return result and (result[0] - empty, *result[1:])
 
         yield "CloudCompare", compare
 
