@@ -4,6 +4,7 @@
 
 #include "app/cli/FilePart.h"
 #include "app/cli/Session.h"
+#include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
 
 namespace vestige::cli {
@@ -13,17 +14,40 @@ struct Options {
     std::string in;
     std::string out;
     FilePart part;
+    std::optional<double> scale;
+    std::vector<double> offset;
 };
+
+/// In the unit that the target's format fixes, and on the grid that was asked for; else as in the source.
+void prepare(const Session& session, const Options& options, const FileFormat& target,
+             LoadedGeometry& loaded) {
+    FileInfo& info = loaded.info;
+    const double metres = info.metresPerUnit.value_or(1);
+    if (target.writesMetres() && metres != 1) {
+        loaded.geometry = loaded.geometry.transformed({Pose::Identity(), metres});
+        session.log(options.in + " has " + exactText(metres) + " m a unit, as it says; " + options.out +
+                    " holds metres");
+        if (info.scale) *info.scale *= metres;
+        if (info.offset) *info.offset *= metres;
+        info.metresPerUnit = 1;
+        // They describe coordinates in the source's unit.
+        info.crs.clear();
+        info.crsRecords.clear();
+    }
+    if (options.scale) info.scale = Eigen::Vector3d::Constant(*options.scale);
+    if (options.offset.size() == 3) info.offset = Eigen::Vector3d(options.offset.data());
+}
 
 int runConvert(Session& session, const Options& options) {
     // A target that cannot be written is a wrong command line, found before the long reading.
-    if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
-        return session.failed(target.error());
-    const Result<LoadedGeometry> loaded =
+    const Result<const FileFormat*> target = formatForWriting(options.out);
+    if (!target) return session.failed(target.error());
+    Result<LoadedGeometry> loaded =
         readPart(options.in, options.part, ReadOptions::Attributes::all, session.control().sub(0, 0.6));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
+    prepare(session, options, **target, *loaded);
     const Status written =
         writeGeometry(options.out, loaded->geometry, {&loaded->info}, session.control().sub(0.6, 1));
     if (!written) return session.failed(written.error());
@@ -45,6 +69,15 @@ Run declareConvert(CLI::App& command) {
     command.add_option("IN", options->in, "Cloud or mesh to read")->required();
     command.add_option("OUT", options->out, "File to write; its extension names the format")->required();
     addPartOptions(command, options->part);
+    command
+        .add_option("--scale", options->scale,
+                    "Step of the coordinates in OUT, in its unit, where its format has one (LAS, LAZ, E57). "
+                    "Default: that of IN.")
+        ->check(CLI::Range(1e-9, 1e3));
+    command.add_option("--offset", options->offset, "What the steps are counted from. Default: that of IN.")
+        ->type_name("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3);
     return [options](Session& session) { return runConvert(session, *options); };
 }
 

@@ -163,7 +163,7 @@ int runRegister(Session& session, const Options& options) {
                  options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
                  control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
-    for (const auto* loaded : {&*target, &*source})
+    for (const LoadedGeometry* loaded : std::initializer_list<const LoadedGeometry*>{&*target, &*source})
         if (!loaded->info.damage.empty())
             session.log("warning: " + loaded->info.path.string() + ": " + loaded->info.damage);
     const Result<Start> start =

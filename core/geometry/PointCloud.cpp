@@ -61,9 +61,25 @@ void PointCloud::findBounds() {
     parallelChunks(size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         // A point's coordinates grow with its offset's, so that without residuals the offsets' bounds do.
         if (residuals_.empty()) {
+            // Eight points at a time fill whole registers; lane k holds the axis k % 3.
+            constexpr std::size_t kLanes = 8;
+            using Lanes = Eigen::Array<float, 3 * kLanes, 1>;
             Eigen::Vector3f least = offsets_[begin];
             Eigen::Vector3f most = least;
-            for (std::size_t i = begin + 1; i < end; ++i) {
+            Lanes low = least.replicate<kLanes, 1>().array();
+            Lanes high = low;
+            std::size_t i = begin;
+            for (; i + kLanes <= end; i += kLanes) {
+                const Lanes eight = Eigen::Map<const Lanes>(offsets_[i].data());
+                low = low.min(eight);
+                high = high.max(eight);
+            }
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const auto at = static_cast<Eigen::Index>(3 * lane);
+                least = least.cwiseMin(low.segment<3>(at).matrix());
+                most = most.cwiseMax(high.segment<3>(at).matrix());
+            }
+            for (; i < end; ++i) {
                 least = least.cwiseMin(offsets_[i]);
                 most = most.cwiseMax(offsets_[i]);
             }
@@ -103,6 +119,14 @@ PointCloud PointCloud::transformed(const Similarity& toFromHere) const {
     });
     builder.attributes() = std::move(attributes);
     return std::move(builder).build();
+}
+
+void PointCloud::keepDrawnAttributes() {
+    attributes_.classification = {};
+    attributes_.gpsTime = {};
+    attributes_.pointSource = {};
+    attributes_.returnNumber = {};
+    attributes_.returnCount = {};
 }
 
 PointCloud PointCloud::withAttributes(PointAttributes attributes) const {

@@ -77,6 +77,8 @@ class PointCloud {
     PointCloud transformed(const Similarity& toFromHere) const;
     /// The same points with other attributes.
     PointCloud withAttributes(PointAttributes attributes) const;
+    /// Without class, time, source and returns (ReadOptions::Attributes::drawn); in place.
+    void keepDrawnAttributes();
 
   private:
     void findBounds();

@@ -36,16 +36,6 @@ TriangleMesh chosenPart(const TriangleMesh& whole, const ReadOptions& options) {
     return part;
 }
 
-PointCloud drawnOnly(const PointCloud& cloud) {
-    PointAttributes attributes = cloud.attributes();
-    attributes.classification = {};
-    attributes.gpsTime = {};
-    attributes.pointSource = {};
-    attributes.returnNumber = {};
-    attributes.returnCount = {};
-    return cloud.withAttributes(std::move(attributes));
-}
-
 }  // namespace
 
 void applyReadOptions(const ReadOptions& options, LoadedGeometry& loaded) {
@@ -58,8 +48,7 @@ void applyReadOptions(const ReadOptions& options, LoadedGeometry& loaded) {
         describeGeometry(loaded.geometry, loaded.info);
         loaded.info.attributes = std::move(attributes);
     }
-    if (options.attributes == ReadOptions::Attributes::drawn)
-        loaded.geometry.vertices = drawnOnly(loaded.geometry.vertices);
+    if (options.attributes == ReadOptions::Attributes::drawn) loaded.geometry.vertices.keepDrawnAttributes();
 }
 
 }  // namespace vestige

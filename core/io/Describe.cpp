@@ -41,6 +41,7 @@ LoadedGeometry loaded(TriangleMesh geometry, std::string format, std::string ver
     if (geometry.vertices.empty()) job.warn("the file has no points");
     result.info.warnings = std::move(job.warnings());
     result.info.damage = job.damage();
+    result.info.companions = job.companions();
     result.geometry = std::move(geometry);
     return result;
 }

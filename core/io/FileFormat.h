@@ -41,6 +41,8 @@ class FileFormat {
     /// False for formats that are only recognised, to say what to do instead; open dialogs leave them out.
     virtual bool canRead() const { return true; }
     virtual bool canWrite() const { return false; }
+    /// True when the format fixes its coordinates to metres.
+    virtual bool writesMetres() const { return false; }
     /// True when the first bytes (up to 4096) are of this format; text formats may go by the extension.
     virtual bool recognises(std::span<const std::byte> head, std::string_view extension) const = 0;
 

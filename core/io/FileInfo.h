@@ -67,6 +67,8 @@ struct FileInfo {
     std::optional<double> metresPerUnit;  ///< where the format fixes or names the unit of its coordinates
     std::vector<ScanInfo> scans;          ///< of formats that keep scans apart
     std::vector<ImageInfo> images;
+    /// Other files that hold a part of this one: tiles, buffers. Known once it was read.
+    std::vector<std::filesystem::path> companions;
     std::vector<std::string> warnings;  ///< what was skipped or repaired while reading
     /// Of a salvaged file: what is missing, a sentence for the report; empty when whole. readGeometry() puts
     /// it before the warnings, too.

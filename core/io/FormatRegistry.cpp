@@ -12,6 +12,7 @@
 #include "core/io/CleanTexts.h"
 #include "core/io/Coordinates.h"
 #include "core/io/CrsUnits.h"
+#include "core/io/InputHash.h"
 #include "core/io/MappedFile.h"
 #include "core/io/formats/E57Format.h"
 #include "core/io/formats/EinscanMarkers.h"
@@ -73,9 +74,19 @@ Status unusable(const std::filesystem::path& file, const std::string& what) {
 }
 
 Status checkCoordinates(const std::filesystem::path& file, const PointCloud& cloud) {
-    // Points on a grid are finite; those that reach farthest tell for all.
-    if (cloud.grid() && isUsable(cloud.bounds().min) && isUsable(cloud.bounds().max)) return {};
+    // Where all are finite, those that reach farthest tell for all. Points on a grid are finite.
     constexpr std::size_t kGrain = 65536;
+    const bool reachable = isUsable(cloud.bounds().min) && isUsable(cloud.bounds().max);
+    if (reachable && cloud.grid()) return {};
+    if (reachable && cloud.residuals().empty()) {
+        std::vector<char> finite((cloud.size() + kGrain - 1) / kGrain, 0);
+        parallelChunks(cloud.size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+            const auto many = static_cast<Eigen::Index>(3 * (end - begin));
+            const Eigen::Map<const Eigen::ArrayXf> all(cloud.offsets()[begin].data(), many);
+            finite[chunk] = (0 * all).sum() == 0 ? 1 : 0;
+        });
+        if (std::count(finite.begin(), finite.end(), 0) == 0) return {};
+    }
     std::vector<std::size_t> firsts((cloud.size() + kGrain - 1) / kGrain, cloud.size());
     parallelChunks(cloud.size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && firsts[chunk] == cloud.size(); ++i)
@@ -183,9 +194,9 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     if (!info) return refused<FileInfo>(info.error());
     if (const Status usable = checkBounds(file, *info); !usable) return fail(usable.error());
     present(*info);
-    Result<std::string> hash = sha256OfFile(file, control.sub(0.7, 1));
+    Result<InputHash> hash = hashInput(file, info->companions, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
-    info->sha256 = std::move(*hash);
+    info->sha256 = std::move(hash->sha256);
     return info;
 }
 

@@ -43,6 +43,10 @@ class ReadJob {
     /// A sentence for FileInfo::damage; empty of a file that is whole.
     const std::string& damage() const { return damage_; }
 
+    /// Another file that is read for this one: FileInfo::companions.
+    void alsoReads(std::filesystem::path file) { companions_.push_back(std::move(file)); }
+    const std::vector<std::filesystem::path>& companions() const { return companions_; }
+
     /// For the user, kept in FileInfo::warnings.
     void warn(std::string sentence);
     std::vector<std::string>& warnings() { return warnings_; }
@@ -58,6 +62,7 @@ class ReadJob {
     JobControl control_;
     bool salvage_;
     std::string damage_;
+    std::vector<std::filesystem::path> companions_;
     std::vector<std::string> warnings_;
 };
 

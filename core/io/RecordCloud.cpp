@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <span>
 
 #include "core/base/Parallel.h"
@@ -39,6 +40,7 @@ void unpack(const std::byte* body, const RecordColumn& column, std::endian order
         if (column.type == ScalarType::float64) return unpack<double>(at, column.step, many, values);
         if (column.type == ScalarType::uint8) return unpack<std::uint8_t>(at, column.step, many, values);
         if (column.type == ScalarType::uint16) return unpack<std::uint16_t>(at, column.step, many, values);
+        if (column.type == ScalarType::uint32) return unpack<std::uint32_t>(at, column.step, many, values);
     }
     for (std::size_t i = 0; i < many; ++i, at += column.step) values[i] = readScalar(column.type, at, order);
 }
@@ -50,33 +52,108 @@ class Records {
 
     std::optional<PointCloud> read() {
         if (points_ == 0) return std::nullopt;
+        if (floatsInARow())
+            if (auto cloud = readFloats()) return cloud;
         if (!findReach()) return std::nullopt;
         chooseOrigin();
         auto offsets = LargeArray<Eigen::Vector3f>::toFill(points_);
         auto residuals = LargeArray<Eigen::Vector3f>::toFill(far_ ? points_ : 0);
-        prepareAttributes();
-        std::atomic<std::size_t> done{0};
-        parallelFor(points_, kGrain, [&](std::size_t begin, std::size_t end) {
-            std::array<Block, 3> axes;
-            for (std::size_t first = begin; first < end; first += kBlock) {
-                const std::size_t many = std::min(kBlock, end - first);
-                unpackPlaces(first, many, axes);
-                for (std::size_t i = 0; i < many; ++i) {
-                    const Eigen::Vector3d offset =
-                        Eigen::Vector3d(axes[0][i], axes[1][i], axes[2][i]) - origin_;
-                    offsets[first + i] = offset.cast<float>();
-                    if (far_)
-                        residuals[first + i] = (offset - offsets[first + i].cast<double>()).cast<float>();
-                }
-                for (const RecordColumn& column : layout_.columns) setAttribute(column, first, many, axes[0]);
+        eachBlock([&](std::size_t, std::size_t first, std::size_t many, std::array<Block, 3>& axes) {
+            unpackPlaces(first, many, axes);
+            for (std::size_t i = 0; i < many; ++i) {
+                const Eigen::Vector3d offset = Eigen::Vector3d(axes[0][i], axes[1][i], axes[2][i]) - origin_;
+                offsets[first + i] = offset.cast<float>();
+                if (far_) residuals[first + i] = (offset - offsets[first + i].cast<double>()).cast<float>();
             }
-            job_.report(done += end - begin, points_);
         });
-        finishAttributes();
         return PointCloud(origin_, std::move(offsets), std::move(residuals), std::move(attributes_));
     }
 
   private:
+    using Places = std::function<void(std::size_t chunk, std::size_t first, std::size_t many,
+                                      std::array<Block, 3>& axes)>;
+
+    /// Takes the places of each block, then its attributes.
+    void eachBlock(const Places& takePlaces) {
+        prepareAttributes();
+        std::atomic<std::size_t> done{0};
+        parallelChunks(points_, kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+            std::array<Block, 3> axes;
+            for (std::size_t first = begin; first < end; first += kBlock) {
+                const std::size_t many = std::min(kBlock, end - first);
+                takePlaces(chunk, first, many, axes);
+                setAttributes(first, many, axes);
+            }
+            job_.report(done += end - begin, points_);
+        });
+        finishAttributes();
+    }
+
+    /// x, y and z one behind the other as floats, and colours whose depth is known.
+    bool floatsInARow() const {
+        const RecordColumn& x = *column(PointField::x);
+        const auto follows = [&](const RecordColumn& one, std::size_t offset) {
+            return one.type == ScalarType::float32 && one.step == x.step && one.offset == x.offset + offset;
+        };
+        return layout_.order == std::endian::native && follows(x, 0) &&
+               follows(*column(PointField::y), sizeof(float)) &&
+               follows(*column(PointField::z), 2 * sizeof(float)) &&
+               (layout_.depth != ColorDepth::guess || !has(PointField::red));
+    }
+
+    /// The floats as they are; nothing where one is not usable, or too far from its frame's origin.
+    std::optional<PointCloud> readFloats() {
+        auto offsets = LargeArray<Eigen::Vector3f>::toFill(points_);
+        const RecordColumn& x = *column(PointField::x);
+        const std::size_t chunks = (points_ + kGrain - 1) / kGrain;
+        std::vector<char> near(chunks, 1);
+        eachBlock([&](std::size_t chunk, std::size_t first, std::size_t many, std::array<Block, 3>&) {
+            const std::byte* at = body_ + x.offset + first * x.step;
+            float* const to = offsets[first].data();
+            for (std::size_t i = 0; i < many; ++i, at += x.step)
+                std::memcpy(to + 3 * i, at, 3 * sizeof(float));
+            float farthest = 0;
+            float sum = 0;  // no number once a coordinate is none
+            for (std::size_t i = 0; i < 3 * many; ++i) {
+                farthest = std::max(farthest, std::abs(to[i]));
+                sum += 0 * to[i];
+            }
+            if (sum != 0 || !(farthest <= static_cast<float>(kOwnOrigin))) near[chunk] = 0;
+        });
+        if (std::count(near.begin(), near.end(), 0) > 0) {
+            attributes_ = {};
+            return std::nullopt;
+        }
+        return PointCloud(Eigen::Vector3d::Zero(), std::move(offsets), LargeArray<Eigen::Vector3f>(),
+                          std::move(attributes_));
+    }
+
+    /// Colours of three bytes one behind the other come at once, all else column by column.
+    void setAttributes(std::size_t first, std::size_t many, std::array<Block, 3>& values) {
+        const RecordColumn* red = column(PointField::red);
+        const bool bytes = red && bytesInARow();
+        if (bytes) {
+            const std::byte* at = body_ + red->offset + first * red->step;
+            for (std::size_t i = 0; i < many; ++i, at += red->step)
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    attributes_.color[first + i][channel] =
+                        static_cast<std::uint16_t>(static_cast<std::uint16_t>(at[channel]) * 257);
+        }
+        for (const RecordColumn& one : layout_.columns) {
+            const bool channel = one.field == PointField::red || one.field == PointField::green ||
+                                 one.field == PointField::blue;
+            if (!bytes || !channel) setAttribute(one, first, many, values[0]);
+        }
+    }
+    bool bytesInARow() const {
+        const RecordColumn& red = *column(PointField::red);
+        const auto follows = [&](const RecordColumn& one, std::size_t offset) {
+            return one.type == ScalarType::uint8 && one.step == red.step && one.offset == red.offset + offset;
+        };
+        return layout_.depth == ColorDepth::bytes && follows(red, 0) &&
+               follows(*column(PointField::green), 1) && follows(*column(PointField::blue), 2);
+    }
+
     const RecordColumn* column(PointField field) const {
         const auto found = std::find_if(layout_.columns.begin(), layout_.columns.end(),
                                         [&](const RecordColumn& one) { return one.field == field; });

@@ -10,6 +10,7 @@
 #include "core/base/Hash.h"
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/FormatRegistry.h"
+#include "core/io/InputHash.h"
 
 namespace vestige {
 namespace {
@@ -108,7 +109,10 @@ Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::pa
         if (const auto after = stampOf(file); !after || *after != *before)
             return fail(changedWhileRead(file, *before));
         data->stamp = *before;
-        data->sha256 = std::move(*sha256);
+        auto input = hashInput(file, *sha256, data->info.companions, control);
+        if (!input) return fail(input.error());
+        data->sha256 = std::move(input->sha256);
+        data->companionSha256 = std::move(input->companions);
         control.progress(1);
         return std::shared_ptr<const LayerData>(data);
     });

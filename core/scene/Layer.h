@@ -35,8 +35,9 @@ struct LayerData {
     std::shared_ptr<const PointCloud> points;      ///< aliases geometry->vertices
     std::shared_ptr<const Octree> octree;          ///< over `points`
     FileInfo info;
-    std::string sha256;
-    FileStamp stamp;  ///< of the file when it was read
+    std::string sha256;                        ///< of the file, and of what belongs to it: InputHash
+    std::vector<std::string> companionSha256;  ///< of info.companions, in their order
+    FileStamp stamp;                           ///< of the file when it was read
     /// Of a first look at a large file: how many points are still being read. `points` are some of them,
     /// spread over the file and exact; there is no sha256 yet. 0: these are all.
     std::uint64_t awaitedPoints = 0;

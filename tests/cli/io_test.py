@@ -134,6 +134,18 @@ class IoCli(unittest.TestCase):
                 self.assertRegex(told, "expected|readable")
             self.assertFalse((self.path / "out.las").exists())
 
+    def test_scale_and_offset_stay_unless_others_are_asked_for(self):
+        las = self.path / "a.las"
+        done = run("convert", self.cloud, las, "--scale", "0.01", "--offset", "1000,2000,0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (info,) = json.loads(run("--json", "info", las).stdout)["files"]
+        self.assertEqual((info["scale"], info["offset"]), ([0.01] * 3, [1000, 2000, 0]))
+        again = self.path / "b.laz"
+        self.assertEqual(run("convert", las, again).returncode, 0)
+        (kept,) = json.loads(run("--json", "info", again).stdout)["files"]
+        self.assertEqual((kept["scale"], kept["offset"]), (info["scale"], info["offset"]))
+        self.assertEqual(kept["bounds"], info["bounds"])
+
     def test_a_tileset_is_a_cloud(self):
         table = b'{"POINTS_LENGTH":2,"POSITION":{"byteOffset":0}}'.ljust(52)
         points = struct.pack("<6f", 0, 0, 0, 1, 2, 3)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/Hash.h"
+#include "core/io/InputHash.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
 #include "ui/document/Wording.h"
@@ -22,12 +22,12 @@ Result<States> compare(const SceneState& scene, const JobControl& control) {
         const double count = static_cast<double>(scene.layers.size());
         const auto step = control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         step.progress(0, "Hashing " + layer.path.filename().string());
-        const auto now = sha256OfFile(scene.resolve(layer.path), step);
+        const auto now = hashInput(scene.resolve(layer.path), layer.data->info.companions, step);
         if (!now && now.error().code == ErrorCode::cancelled) return fail(now.error());
         const std::string& expected = layer.evidence ? layer.evidence->sha256 : layer.data->sha256;
-        states[layer.id] = !now               ? EvidenceState::missing
-                           : *now == expected ? EvidenceState::unchanged
-                                              : EvidenceState::changed;
+        states[layer.id] = !now                      ? EvidenceState::missing
+                           : now->sha256 == expected ? EvidenceState::unchanged
+                                                     : EvidenceState::changed;
     }
     return states;
 }

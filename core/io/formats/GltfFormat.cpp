@@ -70,8 +70,7 @@ ImportRequest requestOf(const Parsed& parsed, ReadJob& job) {
             request.files.push_back(openForReading(buffer.file));
             numbers.emplace(buffer.file, number);
             if (buffer.file.filename() != job.path().filename())
-                job.warn("geometry lies in '" + buffer.file.filename().string() +
-                         "' beside the file, which the file's SHA-256 does not cover");
+                job.alsoReads(buffer.file);
         }
         words["buffers"].push_back({{"file", number}, {"offset", buffer.offset}, {"length", buffer.length}});
     }

@@ -12,6 +12,7 @@ class GltfFormat : public FileFormat {
     std::string_view title() const override { return "glTF scene"; }
     std::vector<std::string> extensions() const override { return {"glb", "gltf"}; }
     bool canWrite() const override { return true; }
+    bool writesMetres() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
     Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const override;
     Result<LoadedGeometry> read(const std::filesystem::path& file, const ReadOptions& options,

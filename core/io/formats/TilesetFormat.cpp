@@ -56,7 +56,8 @@ void tellWhatIsLeftOut(const TilesetContents& contents, ReadJob& job) {
         job.warn(counted(count, "tile") + " of the kind " + kind + " passed over; only point tiles are read");
     if (contents.replaced > 0)
         job.warn(counted(contents.replaced, "coarser tile") + " left out, since finer ones replace them");
-    job.warn("the SHA-256 of the tileset says nothing of its " + counted(contents.tiles.size(), "tile"));
+    for (const std::filesystem::path& tileset : contents.nested) job.alsoReads(tileset);
+    for (const TilesetTile& tile : contents.tiles) job.alsoReads(tile.file);
 }
 
 std::string versionText(const TilesetContents& contents) {

@@ -19,6 +19,7 @@ struct TilesetTile {
 /// What a tileset and those that it nests hold.
 struct TilesetContents {
     std::vector<TilesetTile> tiles;              ///< to be read, in the order of the tree
+    std::vector<std::filesystem::path> nested;   ///< other tilesets that were walked
     std::string version;                         ///< of the asset: "1.0", "1.1"
     bool hasRegions = false;                     ///< bounding volumes in longitude and latitude
     std::size_t replaced = 0;                    ///< coarser point tiles left out

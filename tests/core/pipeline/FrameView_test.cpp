@@ -20,7 +20,7 @@ ViewDescription site(bool strays) {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->vertices = std::move(builder).build();
     ViewDescription view;
-    view.layers.push_back({"site", "site", mesh, {}, {160, 180, 200}, nullptr, true, false});
+    view.layers.push_back({"site", "site", mesh, nullptr, {}, {160, 180, 200}, nullptr, true, false});
     return view;
 }
 
@@ -69,7 +69,8 @@ TEST(FrameView, AScanInAFrameOfItsOwnDoesNotMoveThePictureAway) {
     auto scan = std::make_shared<TriangleMesh>();
     scan->vertices = std::move(builder).build();
     view.layers[0].isTarget = true;
-    view.layers.insert(view.layers.begin(), {"scan", "scan", scan, {}, {244, 154, 52}, nullptr, true, false});
+    view.layers.insert(view.layers.begin(),
+                       {"scan", "scan", scan, nullptr, {}, {244, 154, 52}, nullptr, true, false});
     const ViewCamera both = frameView(view, NamedView::perspective, 1400, 900);
     EXPECT_LT((both.position - alone.position).norm(), 1e-6);
     EXPECT_EQ(subjectLayers(view), std::vector<std::size_t>{1});

@@ -10,6 +10,7 @@
 #include "core/base/Hash.h"
 #include "core/base/Parallel.h"
 #include "core/io/FormatRegistry.h"
+#include "core/pipeline/LoadLayers.h"
 #include "tests/core/pipeline/TinyCase.h"
 #include "tests/core/report/ReportText.h"
 #include "tests/support/TestPaths.h"
@@ -133,6 +134,50 @@ TEST_F(Reconstructing, FusesTheOriginalPointsLayerByLayer) {
     EXPECT_EQ(source[aerial.size()], 2);
     EXPECT_EQ(source.back(), 2);
     EXPECT_THAT(content(folder / "out/fused.las"), HasSubstr("2\tfront\tfront\n"));
+}
+
+TEST_F(Reconstructing, FusesAttributesThatStayedInTheFiles) {
+    TinyCase tiny(folder.path());
+    Layer& aerial = *tiny.scene.layer("aerial");
+    const auto plain = readGeometry(aerial.path);
+    ASSERT_TRUE(plain);
+    PointAttributes attributes = plain->geometry.vertices.attributes();
+    for (std::size_t i = 0; i < plain->geometry.vertices.size(); ++i) {
+        attributes.classification.push_back(static_cast<std::uint8_t>(i % 7));
+        attributes.gpsTime.push_back(1000 + 0.5 * static_cast<double>(i));
+        attributes.returnNumber.push_back(1);
+        attributes.returnCount.push_back(2);
+    }
+    const PointCloud full = plain->geometry.vertices.withAttributes(attributes);
+    aerial.path = folder / "aerial.las";
+    ASSERT_TRUE(writeGeometry(aerial.path, {full, {}}));
+    const auto asked = run(tiny.scene, folder / "asked");
+    ASSERT_TRUE(asked) << asked.error().sentence();
+    EXPECT_TRUE(asked->scene.layer("aerial")->data->points->attributes().gpsTime.empty());
+    for (Layer& layer : tiny.scene.layers) {
+        auto data = loadLayerData(layer.path, {}, {});
+        ASSERT_TRUE(data);
+        layer.data = *data;
+    }
+    ASSERT_TRUE(run(tiny.scene, folder / "held"));
+    EXPECT_EQ(content(folder / "asked/fused.las"), content(folder / "held/fused.las"));
+    const auto fused = readGeometry(folder / "asked/fused.las");
+    ASSERT_TRUE(fused);
+    EXPECT_EQ(fused->geometry.vertices.attributes().classification[6], 6);
+    EXPECT_EQ(fused->geometry.vertices.attributes().gpsTime[5], 1002.5);
+}
+
+TEST_F(Reconstructing, ReadsThePartThatTheCaseNamesAndReportsIt) {
+    TinyCase tiny(folder.path());
+    const auto whole = readGeometry(tiny.scene.layer("aerial")->path);
+    ASSERT_TRUE(whole);
+    tiny.scene.layer("aerial")->keepEvery = 2;
+    const auto result = run(tiny.scene, folder / "out");
+    ASSERT_TRUE(result) << result.error().sentence();
+    const PointCloud& thinned = *result->scene.layer("aerial")->data->points;
+    ASSERT_EQ(thinned.size(), (whole->geometry.vertices.size() + 1) / 2);
+    EXPECT_EQ(thinned.point(3), whole->geometry.vertices.point(6));
+    EXPECT_THAT(test::textOf(printer.printed), HasSubstr("aerial: one of every 2 points"));
 }
 
 TEST_F(Reconstructing, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {

@@ -114,6 +114,21 @@ TEST(CaseFile, PathsAreRelativeToTheFileAndSurviveMovingTheFolder) {
     EXPECT_EQ(read(folder / "other/a.vestige").name, "a");
 }
 
+TEST(CaseFile, NamesAndPathsOfAnyScript) {
+    const TemporaryFolder folder;
+    SceneState scene = sampleScene();
+    scene.file = folder / "Fälle/現場 1.vestige";
+    scene.layers[0].name = "Straße 7, \"Nord\" 測量";
+    scene.layers[0].path = folder / "Fälle/Überflug/Вид.las";
+    scene.layers[1].unit = LengthUnit::usSurveyFoot;
+    ASSERT_TRUE(writeCase(scene.file, scene));
+    const auto back = readCase(scene.file);
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_EQ(back->layers[0].name, scene.layers[0].name);
+    EXPECT_EQ(back->resolve(back->layers[0].path), scene.layers[0].path);
+    EXPECT_EQ(back->layers[1].unit, LengthUnit::usSurveyFoot);
+}
+
 TEST(CaseFile, InitialPosesOfEveryForm) {
     const TemporaryFolder folder;
     const auto file = folder / "case.json";

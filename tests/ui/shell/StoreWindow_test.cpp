@@ -169,6 +169,7 @@ TEST_F(StoreWindow, TheSecondWindowLooksAndSavesUnderAnotherName) {
     EXPECT_EQ(first->label("read-only"), "");
     auto second = start();
     ASSERT_TRUE(second->window().openCase(place));
+    QApplication::processEvents();
     EXPECT_EQ(second->scene().operatorName, "saved");
     EXPECT_EQ(second->label("read-only"), "read-only");
     EXPECT_TRUE(notice(*second).contains("open in another window since")) << notice(*second).toStdString();
@@ -180,6 +181,7 @@ TEST_F(StoreWindow, TheSecondWindowLooksAndSavesUnderAnotherName) {
     second->answers().casePath = QString::fromStdString((folder / "other.vestige").string());
     second->trigger("file.save");
     EXPECT_EQ(readCase(folder / "other.vestige")->operatorName, "second");
+    QApplication::processEvents();
     EXPECT_EQ(second->label("read-only"), "");
     edit(*first, "first");
     first->trigger("file.save");
