@@ -9,6 +9,7 @@
 #include "core/base/Hash.h"
 #include "core/base/Parallel.h"
 #include "core/io/ApplyReadOptions.h"
+#include "core/io/CleanTexts.h"
 #include "core/io/Coordinates.h"
 #include "core/io/CrsUnits.h"
 #include "core/io/InputHash.h"
@@ -102,6 +103,18 @@ Status checkBounds(const std::filesystem::path& file, const FileInfo& info) {
     return unusable(file, "the points' bounds");
 }
 
+/// For whoever shows it: texts that are clean, and a word on the unit.
+void present(FileInfo& info) {
+    tellUnits(info);
+    cleanTexts(info);
+}
+
+template <class T>
+Result<T> refused(Error error) {
+    cleanTexts(error);
+    return fail(std::move(error));
+}
+
 /// What `read` makes of the file, refused when the file is not the same before and after. Also where reading
 /// failed: what it complains of may be what the change did.
 template <class T, class Read>
@@ -178,9 +191,9 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     if (!format) return fail(format.error());
     Result<FileInfo> info =
         whileUnchanged<FileInfo>(file, [&] { return (*format)->info(file, control.sub(0, 0.7)); });
-    if (!info) return info;
+    if (!info) return refused<FileInfo>(info.error());
     if (const Status usable = checkBounds(file, *info); !usable) return fail(usable.error());
-    tellUnits(*info);
+    present(*info);
     Result<InputHash> hash = hashInput(file, info->companions, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
     info->sha256 = std::move(hash->sha256);
@@ -191,7 +204,8 @@ Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& c
     const Result<const FileFormat*> format = formatOfFile(file);
     if (!format) return fail(format.error());
     Result<FileInfo> info = (*format)->peek(file, control);
-    if (info) tellUnits(*info);
+    if (!info) return refused<FileInfo>(info.error());
+    present(*info);
     return info;
 }
 
@@ -201,14 +215,14 @@ Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const Rea
     if (!format) return fail(format.error());
     Result<LoadedGeometry> geometry =
         whileUnchanged<LoadedGeometry>(file, [&] { return (*format)->read(file, options, control); });
-    if (!geometry) return geometry;
+    if (!geometry) return refused<LoadedGeometry>(geometry.error());
     applyReadOptions(options, *geometry);
     // Wherever warnings are read, the damage is read first.
     if (!geometry->info.damage.empty())
         geometry->info.warnings.insert(geometry->info.warnings.begin(), geometry->info.damage);
     if (const Status usable = checkCoordinates(file, geometry->geometry.vertices); !usable)
         return fail(usable.error());
-    tellUnits(geometry->info);
+    present(geometry->info);
     control.progress(1, "reading");
     return geometry;
 }

@@ -2,27 +2,30 @@
 
 #include <utility>
 
+#include "core/base/CleanText.h"
+#include "core/io/CleanTexts.h"
+
 namespace vestige {
 namespace {
 
-std::string hintOf(const std::string& expected) {
-    return expected.empty() ? expected : "expected: " + expected;
+/// Messages quote the file, hints may: neither may hold more than a sentence, or speak to the terminal.
+Error refusal(const std::string& message, std::string place, const std::string& expected) {
+    return {ErrorCode::input, cleanText(message, kLongestSentence), std::move(place),
+            expected.empty() ? expected : "expected: " + cleanText(expected, kLongestSentence)};
 }
 
 }  // namespace
 
 void ReadJob::refuse(std::string message, const std::string& expected) const {
-    throw ErrorException{{ErrorCode::input, std::move(message), place(), hintOf(expected)}};
+    throw ErrorException{refusal(message, place(), expected)};
 }
 
 void ReadJob::refuseLine(std::size_t line, std::string message, const std::string& expected) const {
-    throw ErrorException{
-        {ErrorCode::input, std::move(message), place() + ", line " + std::to_string(line), hintOf(expected)}};
+    throw ErrorException{refusal(message, place() + ", line " + std::to_string(line), expected)};
 }
 
 void ReadJob::refuseByte(std::size_t byte, std::string message, const std::string& expected) const {
-    throw ErrorException{
-        {ErrorCode::input, std::move(message), place() + ", byte " + std::to_string(byte), hintOf(expected)}};
+    throw ErrorException{refusal(message, place() + ", byte " + std::to_string(byte), expected)};
 }
 
 void ReadJob::untilDamage(const std::function<void()>& work, const std::function<WholePart()>& whole) {
@@ -55,7 +58,7 @@ void ReadJob::warn(std::string sentence) {
     constexpr std::size_t kMostWarnings = 100;
     if (warnings_.size() > kMostWarnings) return;
     if (warnings_.size() == kMostWarnings) sentence = "further notes on this file are not listed";
-    warnings_.push_back(std::move(sentence));
+    warnings_.push_back(cleanText(sentence, kLongestSentence));
 }
 
 void ReadJob::report(std::size_t done, std::size_t total) const {

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "tests/fuzz/Beside.h"
+
 namespace vestige::fuzz {
 namespace {
 
@@ -37,6 +39,7 @@ FuzzFile::FuzzFile(const std::string& name, const std::string& extension)
     std::error_code problem;
     std::filesystem::create_directories(folder_, problem);
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    putBeside(extension, folder_);
     if (descriptor_ >= 0) return;
     std::perror(path_.c_str());
     std::exit(1);
@@ -75,7 +78,9 @@ void checkSentence(const std::string& sentence) {
 void checkError(const Error& error, const std::filesystem::path& file) {
     checkSentence(error.sentence());
     if (error.code != ErrorCode::input) finding("a wrong code: " + error.sentence());
-    if (error.message.empty() || error.place.find(file.string()) == std::string::npos)
+    // The file itself, or one beside it that it names.
+    const std::string place = (file.has_parent_path() ? file.parent_path() : file).string();
+    if (error.message.empty() || error.place.find(place) == std::string::npos)
         finding("no file is named: " + error.sentence());
 }
 

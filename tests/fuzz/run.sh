@@ -31,6 +31,7 @@ for target in "${targets[@]}"; do
     seeds=$(mktemp -d)
     mkdir -p "$corpus"
     python3 tests/fuzz/seeds.py "$target" "$seeds"
+    "$bin/write_seeds" "$target" "$seeds"
     options=(-max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 -print_final_stats=1
         -artifact_prefix="build/fuzz/findings/$target-" -verbosity=1 -close_fd_mask=1)
     dictionary=tests/fuzz/dictionaries/$target.dict

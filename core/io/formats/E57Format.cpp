@@ -120,6 +120,8 @@ Result<LoadedGeometry> E57Format::read(const std::filesystem::path& file, const 
         TriangleMesh points{readE57Points(pages, document, options, damage, job), {}};
         LoadedGeometry result = loaded(std::move(points), "E57", "1.0", job);
         describe(document, result.info);
+        // Also where it lies beside the points: a salvaged file is never shown as a whole one.
+        if (damage.empty() && !pages.damage().empty()) damage = pages.damage() + "; all points could be read";
         result.info.damage = std::move(damage);
         result.heeded = true;
         return result;

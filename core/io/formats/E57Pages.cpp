@@ -38,6 +38,7 @@ E57Pages::E57Pages(std::span<const std::byte> file, bool salvage, ReadJob& job)
     if (length > file.size() && !salvage)
         job.refuseByte(file.size(), "the file ends too early; its header promises " + counted(length, "byte"),
                        "a whole file");
+    missing_ = length > file.size() ? length - file.size() : 0;
     if (length < file.size()) {
         job.warn(counted(file.size() - length, "byte") + " after the end of the file's content passed over");
         file_ = file.first(length);
@@ -86,6 +87,16 @@ void E57Pages::checkAll(const ReadJob& job) {
     });
     for (const auto& pages : found) damaged_.insert(damaged_.end(), pages.begin(), pages.end());
     if (!salvage_ && !damaged_.empty()) refusePage(damaged_.front(), job);
+}
+
+std::string E57Pages::damage() const {
+    std::string text;
+    if (missing_ > 0) text = "the last " + counted(missing_, "byte") + " of the file are missing";
+    if (!damaged_.empty())
+        text += (text.empty() ? "" : "; ") + counted(damaged_.size(), "page") + " of " +
+                std::to_string(pages_) + " " + (damaged_.size() == 1 ? "is" : "are") +
+                " damaged, the first at byte " + std::to_string(damaged_.front() * page_);
+    return text;
 }
 
 void E57Pages::check(std::uint64_t logical, std::uint64_t length, const ReadJob& job) const {

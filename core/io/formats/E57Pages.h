@@ -35,7 +35,8 @@ class E57Pages {
     void check(std::uint64_t logical, std::uint64_t length, const ReadJob& job) const;
     /// Whether checkAll() found a damaged page in a part of the content.
     bool damaged(std::uint64_t logical, std::uint64_t length) const;
-    std::size_t damagedPages() const { return damaged_.size(); }
+    /// What is damaged of a file that is salvaged, wherever it lies; empty of a whole one. After checkAll().
+    std::string damage() const;
 
     /// Copies content, which must lie inside the file, without checking it.
     void copy(std::uint64_t logical, std::span<std::byte> to) const;
@@ -51,6 +52,7 @@ class E57Pages {
     std::uint64_t pages_ = 0;
     std::uint64_t xmlOffset_ = 0;
     std::uint64_t xmlLength_ = 0;
+    std::uint64_t missing_ = 0;  ///< bytes that the header promises beyond the end of the file
     std::vector<std::uint64_t> damaged_;
 };
 

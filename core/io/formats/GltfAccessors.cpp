@@ -34,6 +34,7 @@ std::uint64_t components(const std::string& type) {
 
 }  // namespace
 
+GltfAccessors::GltfAccessors(const GltfJson& source) : source_(source) {}
 GltfAccessors::~GltfAccessors() = default;
 
 GltfAccessor GltfAccessors::take(std::uint64_t index, const std::string& why) {

@@ -23,7 +23,7 @@ struct GltfAccessor {
 /// (glTF 2.0 section 3.6): every item inside its view, every view inside its buffer.
 class GltfAccessors {
   public:
-    explicit GltfAccessors(const GltfJson& source) : source_(source) {}
+    explicit GltfAccessors(const GltfJson& source);
     ~GltfAccessors();
 
     /// `why` says who needs it, for the sentence of a refusal.

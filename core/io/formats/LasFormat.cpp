@@ -39,6 +39,9 @@ void describeHeader(const LasHeader& header, ReadJob& job, FileInfo& info, bool 
 std::string damageOf(const LasSource& source, std::uint64_t read, const ReadOptions& options) {
     const LasHeader& header = source.header();
     const bool ended = source.points() < header.promisedPoints || !source.damage().empty();
+    if (options.salvage && !ended && source.lacksTable())
+        return "the table of the compressed points is missing or damaged; all " +
+               counted(header.promisedPoints, "point") + " could be read without it";
     if (!options.salvage || !ended) return {};
     const std::string why =
         source.damage().empty() ? "the file ends early" : "the rest cannot be read: " + source.damage();

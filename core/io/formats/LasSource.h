@@ -50,6 +50,9 @@ class LasSource {
     const ReadJob& job() const { return job_; }
     /// What ended reading; empty when nothing did.
     const std::string& damage() const { return damage_; }
+    /// The table that says where the chunks of compressed points are is missing or damaged; salvaging reads
+    /// without it.
+    bool lacksTable() const { return plan_.withoutTable; }
 
   private:
     std::span<const std::byte> file_;

@@ -22,6 +22,7 @@ using nlohmann::json;
 constexpr std::size_t kLargestIndex = std::size_t{64} << 20;
 constexpr std::size_t kMostValues = std::size_t{6} << 20;  // of a tileset and those that nest it, together
 constexpr int kDeepestNesting = 32;
+constexpr int kDeepestTile = 256;  // those of nested tilesets counted with those that nest them
 
 /// Of one tileset.json, while its tree is walked.
 struct Index {
@@ -149,6 +150,16 @@ class Walker {
 
     bool walkTile(const json& tile, const Eigen::Matrix4d& rootFromParent, const std::string& parentRefine,
                   const Place& place) {
+        if (++depth_ > kDeepestTile)
+            place.refuse("the tiles are nested too deep",
+                         "at most " + std::to_string(kDeepestTile) + " in each other");
+        const bool points = walkWhatItHolds(tile, rootFromParent, parentRefine, place);
+        --depth_;
+        return points;
+    }
+
+    bool walkWhatItHolds(const json& tile, const Eigen::Matrix4d& rootFromParent,
+                         const std::string& parentRefine, const Place& place) {
         job_.report(0, 0);
         if (!tile.is_object()) place.refuse("the tile is no object", "{ ... }");
         if (at(tile, "implicitTiling") || extensionOf(tile, "3DTILES_implicit_tiling"))
@@ -221,6 +232,7 @@ class Walker {
     template <class Work>
     bool unlessSalvaged(const Work& work) {
         const std::size_t values = values_;
+        const int depth = depth_;
         const std::size_t before = contents_.tiles.size();
         try {
             return work();
@@ -228,6 +240,7 @@ class Walker {
             if (!salvage_ || thrown.error.code != ErrorCode::input) throw;
             contents_.unreadable.push_back(thrown.error.sentence());
             values_ = values;
+            depth_ = depth;
             return contents_.tiles.size() > before;
         }
     }
@@ -238,6 +251,7 @@ class Walker {
     TilesetContents contents_;
     std::set<fs::path> seen_;
     std::size_t values_ = kMostValues;
+    int depth_ = 0;
 };
 
 }  // namespace

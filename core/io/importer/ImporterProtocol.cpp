@@ -91,6 +91,7 @@ class Receiver {
 
     [[noreturn]] void refuse(const std::string& sentence) const {
         const std::size_t cut = sentence.find('\n');
+        if (sentence.empty() || cut == 0) garbage("it refused the file without saying why");
         job_.refuse(sentence.substr(0, cut), cut == std::string::npos ? "" : sentence.substr(cut + 1));
     }
 

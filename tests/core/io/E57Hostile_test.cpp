@@ -247,6 +247,25 @@ TEST(E57Hostile, WhatIsWholeOfADamagedScanIsRead) {
     EXPECT_EQ(again->geometry.vertices.size(), 30571);
 }
 
+TEST(E57Hostile, DamageBesideThePointsIsToldToo) {
+    E57Craft craft;
+    const std::uint64_t at = craft.section(threePoints());
+    craft.blob(std::string(3000, 'x'));
+    std::string bytes = craft.file(E57Craft::root(E57Craft::scan(at, 3, kDoubles)));
+    ReadOptions salvage;
+    salvage.salvage = true;
+    ASSERT_TRUE(readBack(bytes, salvage));
+    EXPECT_TRUE(readBack(bytes, salvage)->info.damage.empty());
+    bytes[1500] = 'y';
+    expectRefused(bytes, "checksum");
+    const Result<LoadedGeometry> read = readBack(bytes, salvage);
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->geometry.vertices.size(), 3);
+    EXPECT_NE(read->info.damage.find("1 page of 4 is damaged, the first at byte 1024; all points"),
+              std::string::npos)
+        << read->info.damage;
+}
+
 TEST(E57Hostile, ATruncatedFileIsRefusedWithWhatIsMissing) {
     VESTIGE_SHARED_OR_SKIP(file, "formats/e57/reference/bunnyInt32.e57");
     const std::string bytes = readBytes(file);

@@ -80,6 +80,17 @@ TEST(ImporterProcess, AnEarlyEndAndGarbageAreSentences) {
     EXPECT_TRUE(holds(Impostor("printf VSTGIMP1").sentence(), "gave up"));
 }
 
+TEST(ImporterProcess, ARefusalWithoutWordsIsASentenceAndOneWithOrdersToTheTerminalIsClean) {
+    const auto silent = received(sent([](ImportSender& sender) { sender.refusal("", ""); }));
+    ASSERT_FALSE(silent);
+    EXPECT_TRUE(holds(silent.error().message, "without saying why")) << silent.error().message;
+    const auto loud =
+        received(sent([](ImportSender& sender) { sender.refusal("\x1b[2Jbad", std::string(5000, 'x')); }));
+    ASSERT_FALSE(loud);
+    EXPECT_EQ(loud.error().message, "?[2Jbad");
+    EXPECT_LT(loud.error().hint.size(), 1000);
+}
+
 TEST(ImporterProcess, AHangEndsAtItsTime) {
     ImportRequest request;
     request.time = std::chrono::seconds(1);

@@ -222,3 +222,21 @@ TEST(LazBomb, MorePointsThanCompressionExplainsAreRefusedWithoutTheirMemory) {
     EXPECT_NE(bomb.error().sentence().find("more than the compressed bytes"), std::string::npos)
         << bomb.error().sentence();
 }
+
+TEST(LasParts, ALostChunkTableIsDamageAlsoWhereAllPointsAreWhole) {
+    const TemporaryFolder folder;
+    const PointCloud cloud = scattered(300, 50);
+    const auto file = written(folder, "a.laz", cloud);
+    std::string bytes = readBytes(file);
+    auto* begin = reinterpret_cast<std::byte*>(bytes.data());
+    const auto table = load<std::int64_t>(begin + load<std::uint32_t>(begin + 96));
+    store<std::uint32_t>(begin + table + 4, 0);
+    writeBytes(file, bytes);
+    EXPECT_FALSE(readGeometry(file));
+    ReadOptions salvage;
+    salvage.salvage = true;
+    const LoadedGeometry read = readWith(file, salvage);
+    EXPECT_EQ(read.geometry.vertices.size(), 300);
+    EXPECT_NE(read.info.damage.find("all 300 points could be read without it"), std::string::npos)
+        << read.info.damage;
+}

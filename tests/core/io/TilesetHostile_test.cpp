@@ -135,3 +135,20 @@ TEST(TilesetHostile, DamagedTextIsReadOrRefused) {
         }
     }
 }
+
+TEST(TilesetHostile, NestedTilesetsDoNotAddUpToADepthWithoutBound) {
+    const TemporaryFolder folder;
+    const auto deep = [](int tiles, const std::string& leaf) {
+        std::string text = leaf;
+        for (int i = 1; i < tiles; ++i) text = R"("children":[{)" + text + "}]";
+        return tilesetJson(text);
+    };
+    writeBytes(folder / "a.pnts", kPoint);
+    writeBytes(folder / "c.json", deep(100, content("a.pnts")));
+    writeBytes(folder / "b.json", deep(100, content("c.json")));
+    EXPECT_EQ(readOrFail(folder / "b.json").info.points, 1);
+    expectRefused(folder / "a.json", deep(100, content("b.json")), "nested too deep");
+    ReadOptions salvage;
+    salvage.salvage = true;
+    EXPECT_FALSE(readGeometry(folder / "a.json", salvage));
+}
