@@ -46,7 +46,7 @@ EvidenceState Evidence::stateOf(const std::string& layer) const {
     const auto found = verified_.find(layer);
     if (found != verified_.end()) return found->second;
     const Layer* known = document_.state().layer(layer);
-    if (!known || !known->data) return EvidenceState::notRead;
+    if (!known || !known->data || known->data->isPreview()) return EvidenceState::notRead;
     return evidenceDifference(*known) ? EvidenceState::changed : EvidenceState::hashed;
 }
 
