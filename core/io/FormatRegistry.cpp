@@ -209,6 +209,18 @@ Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& c
     return info;
 }
 
+Result<std::optional<LoadedGeometry>> previewFile(const std::filesystem::path& file, std::size_t points,
+                                                  const JobControl& control) {
+    const Result<const FileFormat*> format = formatOfFile(file);
+    if (!format) return fail(format.error());
+    auto look = (*format)->preview(file, points, control);
+    if (!look || !*look) return look;
+    if (const Status usable = checkCoordinates(file, (*look)->geometry.vertices); !usable)
+        return fail(usable.error());
+    tellUnits((*look)->info);
+    return look;
+}
+
 Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const ReadOptions& options,
                                     const JobControl& control) {
     const Result<const FileFormat*> format = formatOfFile(file);

@@ -18,9 +18,12 @@ Result<const FileFormat*> formatOfFile(const std::filesystem::path& file);
 /// The writing format of a path's extension. ErrorCode::usage lists what can be written.
 Result<const FileFormat*> formatForWriting(const std::filesystem::path& file);
 
-/// formatOfFile(...)->info / peek / read, with every coordinate checked finite, and for `info` the SHA-256.
+/// formatOfFile(...)->info / peek / preview / read, with every coordinate checked finite, and for `info` the
+/// SHA-256.
 Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& control = {});
 Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& control = {});
+Result<std::optional<LoadedGeometry>> previewFile(const std::filesystem::path& file, std::size_t points,
+                                                  const JobControl& control = {});
 Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const ReadOptions& options,
                                     const JobControl& control = {});
 inline Result<LoadedGeometry> readGeometry(const std::filesystem::path& file,

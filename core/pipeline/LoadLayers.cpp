@@ -133,9 +133,7 @@ Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem:
                                                           const JobControl& control) {
     return guarded(file.string(), [&]() -> Result<std::shared_ptr<const LayerData>> {
         if (check.peeked.points < kPreviewFrom) return std::shared_ptr<const LayerData>();
-        const auto format = formatOfFile(file);
-        if (!format) return fail(format.error());
-        auto look = (*format)->preview(file, kPreviewPoints, control);
+        auto look = previewFile(file, kPreviewPoints, control);
         if (!look) return fail(look.error());
         if (!*look || control.cancelled()) return std::shared_ptr<const LayerData>();
         ReadOptions box;

@@ -76,7 +76,7 @@ void readOtherwise(const std::filesystem::path& file, const std::optional<Loaded
         fuzz::finding("a part has more points than the whole");
 }
 
-void describe(const FileFormat& format, const std::filesystem::path& file) {
+void describe(const std::filesystem::path& file) {
     if (const Result<FileInfo> info = fileInfo(file); info)
         checkInfo(*info);
     else
@@ -85,7 +85,7 @@ void describe(const FileFormat& format, const std::filesystem::path& file) {
         checkInfo(*peeked);
     else
         fuzz::checkError(peeked.error(), file);
-    if (const auto preview = format.preview(file, 100, {}); !preview)
+    if (const auto preview = previewFile(file, 100); !preview)
         fuzz::checkError(preview.error(), file);
     else if (*preview)
         checkGeometry(**preview);
@@ -125,6 +125,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if ((*format)->id() != VESTIGE_FUZZ_FORMAT) return 0;
     const std::optional<LoadedGeometry> whole = read(file.path(), {});
     readOtherwise(file.path(), whole);
-    describe(**format, file.path());
+    describe(file.path());
     return 0;
 }

@@ -34,6 +34,8 @@ for target in "${targets[@]}"; do
     "$bin/write_seeds" "$target" "$seeds"
     options=(-max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 -print_final_stats=1
         -artifact_prefix="build/fuzz/findings/$target-" -verbosity=1 -close_fd_mask=1)
+    # The short run of ./test.sh is the same every time: a test, not a search.
+    if [ $built = yes ]; then options+=(-seed=1 -runs=2000); fi
     dictionary=tests/fuzz/dictionaries/$target.dict
     if [ -e "$dictionary" ]; then options+=(-dict="$dictionary"); fi
     log=build/fuzz/findings/$target.log

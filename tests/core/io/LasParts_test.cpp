@@ -210,6 +210,25 @@ TEST_P(LasParts, WhatIsWholeOfACutOffFileIsItsBeginning) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, LasParts, testing::Values("las", "laz"));
 
+TEST(LasParts, APreviewOfPointsBeyondTheEarthIsRefusedAsTheWholeIs) {
+    const TemporaryFolder folder;
+    const PointCloud cloud = scattered(3000, 10);
+    std::string bytes = readBytes(written(folder, "far.las", cloud));
+    // Scales up to 1e6 are taken: they are far only for points many steps away.
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        store(reinterpret_cast<std::byte*>(bytes.data()) + 131 + 8 * axis, 1e6);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        store<std::int32_t>(reinterpret_cast<std::byte*>(bytes.data()) +
+                                load<std::uint32_t>(reinterpret_cast<std::byte*>(bytes.data()) + 96) +
+                                4 * axis,
+                            2000000000);
+    writeBytes(folder / "far.las", bytes);
+    EXPECT_FALSE(readGeometry(folder / "far.las"));
+    const auto preview = previewFile(folder / "far.las", 1000);
+    ASSERT_FALSE(preview);
+    EXPECT_EQ(preview.error().code, ErrorCode::input);
+}
+
 TEST(LazBomb, MorePointsThanCompressionExplainsAreRefusedWithoutTheirMemory) {
     const TemporaryFolder folder;
     const PointCloud cloud = scattered(3000, 10);
