@@ -17,8 +17,9 @@ class SceneDrawing {
     /// several times what a picture of 4 million pixels needs.
     static constexpr std::size_t kMostHeld = std::size_t{24} << 20;
     /// While the blocks that are seen have fewer points than this, all of them are drawn; beyond, those that
-    /// the picture's pixels can show.
-    static constexpr std::size_t kWholeBelow = 4'000'000;
+    /// the picture's pixels can show. As many as the card holds with room to spare: where points lie
+    /// unevenly, as at the edge of a flight, thinning shows.
+    static constexpr std::size_t kWholeBelow = 20'000'000;
 
     /// The window must outlive this object.
     explicit SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld = kMostHeld,
