@@ -69,8 +69,7 @@ ImportRequest requestOf(const Parsed& parsed, ReadJob& job) {
         } else {
             request.files.push_back(openForReading(buffer.file));
             numbers.emplace(buffer.file, number);
-            if (buffer.file.filename() != job.path().filename())
-                job.alsoReads(buffer.file);
+            if (buffer.file.filename() != job.path().filename()) job.alsoReads(buffer.file);
         }
         words["buffers"].push_back({{"file", number}, {"offset", buffer.offset}, {"length", buffer.length}});
     }
