@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/CleanText.h"
 #include "core/base/Hash.h"
 #include "core/base/Leftovers.h"
 #include "core/scene/store/CaseStore.h"
@@ -35,8 +36,8 @@ StoredCase contentOf(Database& database) {
         const auto last = database.run(
             "SELECT edit, time, moment FROM journal WHERE base=? ORDER BY id DESC LIMIT 1", {base});
         if (!last.empty()) {
-            stored.lastEdit = textOf(last.front()[0]);
-            stored.lastTime = textOf(last.front()[1]);
+            stored.lastEdit = cleanText(textOf(last.front()[0]), 200);
+            stored.lastTime = cleanText(textOf(last.front()[1]));
             const auto* moment = std::get_if<std::int64_t>(&last.front()[2]);
             stored.lastMoment = moment ? *moment : 0;
         }
