@@ -48,6 +48,8 @@ StoredCase contentOf(Database& database) {
 }
 
 bool copyIsOurs(Database& database, const fs::path& json) {
+    std::error_code unknown;
+    if (!fs::is_regular_file(json, unknown)) return !fs::exists(fs::symlink_status(json, unknown));
     const auto hash = sha256OfFile(json);
     return !hash || database.number("SELECT count(*) FROM saves WHERE sha256=?", {*hash}) > 0;
 }
