@@ -46,12 +46,15 @@ class SideFiles : public testing::Test {
         EXPECT_TRUE(writeCase(place, test::sampleScene()));
         EXPECT_TRUE(writeTextFile(evidence, "evidence, evidence"));
     }
+    /// Reading a copy is harmless; what opens the case itself must not.
     void expectRefusedAndEvidenceWhole(const char* what) const {
         const auto read = readCase(place);
-        ASSERT_FALSE(read);
-        EXPECT_EQ(read.error().code, ErrorCode::input);
-        EXPECT_THAT(read.error().sentence(), HasSubstr(what));
-        EXPECT_FALSE(CaseStore::open(place));
+        if (!read) {
+            EXPECT_THAT(read.error().sentence(), HasSubstr(what));
+        }
+        const auto store = CaseStore::open(place);
+        ASSERT_FALSE(store);
+        EXPECT_THAT(store.error().sentence(), HasSubstr(what));
         EXPECT_FALSE(writeCase(place, test::sampleScene()));
         static_cast<void>(CaseSession(Autosaves(folder / "user"), place));
         EXPECT_EQ(readTextFile(evidence).value_or("gone"), "evidence, evidence");
@@ -66,6 +69,9 @@ TEST_F(SideFiles, AJournalThatNamesAnotherFileDoesNotDeleteIt) {
     ASSERT_TRUE(
         writeTextFile(place / "case.db-journal", journalNaming(evidence, fs::file_size(place / "case.db"))));
     expectRefusedAndEvidenceWhole("this journal names another file");
+    const auto read = readCase(place);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, ErrorCode::input);
 }
 
 TEST_F(SideFiles, LinksAreNotWrittenThrough) {
