@@ -185,7 +185,10 @@ void ImportSender::warning(const std::string& sentence) {
 }
 
 void ImportSender::refusal(const std::string& message, const std::string& expected) {
-    const std::string text = message + "\n" + expected;
+    std::string text = message;
+    // What is quoted of the file must not end the message; the receiver cleans the rest.
+    std::replace(text.begin(), text.end(), '\n', '?');
+    text += "\n" + expected;
     items(ImportBlock::refusal, std::vector<char>(text.begin(), text.end()));
 }
 
