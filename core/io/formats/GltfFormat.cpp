@@ -11,6 +11,7 @@
 #include "core/io/formats/GltfScene.h"
 #include "core/io/formats/GltfWriter.h"
 #include "core/io/importer/ImporterProcess.h"
+#include "core/io/importer/ImporterProtocol.h"
 
 namespace vestige {
 namespace {
@@ -68,7 +69,9 @@ ImportRequest requestOf(const Parsed& parsed, ReadJob& job) {
     request.memoryBytes = importMemoryFor(parsed.scene.bytes + parsed.scene.document.size());
     request.time = importTimeFor(parsed.scene.bytes + parsed.scene.document.size());
     // Coordinates come back as double, triangles as 12 bytes for what may be three bytes of the file.
-    request.resultBytes = 65536 + 8 * parsed.scene.bytes + 256 * parsed.scene.primitives.size();
+    constexpr std::uint64_t kBlocks = 4;  // vertices, normals, colours, triangles
+    request.resultBytes =
+        65536 + 8 * parsed.scene.bytes + kBlocks * kImportBlockCost * parsed.scene.primitives.size();
     nlohmann::json words = {{"document", parsed.scene.document}, {"buffers", nlohmann::json::array()}};
     std::map<std::filesystem::path, int> numbers;
     for (const GltfBuffer& buffer : parsed.buffers) {

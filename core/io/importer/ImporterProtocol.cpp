@@ -53,8 +53,8 @@ class Receiver {
         input_(header);
         const auto kind = static_cast<ImportBlock>(load<std::uint32_t>(header));
         const auto length = load<std::uint64_t>(header + 4);
-        if (length > left_) garbage("more than the file can hold");
-        left_ -= length;
+        if (length > left_ || left_ - length < kImportBlockCost) garbage("more than the file can hold");
+        left_ -= length + kImportBlockCost;
         switch (kind) {
             case ImportBlock::warning:
                 scene_.warnings.push_back(text(length));
