@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 /// Process numbers mean something to one start of one machine, and in a container to that container alone.
 const std::string& numberSpace() {
-    static const std::string space = [] {
+    // Never destroyed: a thread that still writes while the program ends may ask for it.
+    static const std::string& space = *new std::string([] {
         std::string boot;
         std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
         struct stat processes {};
@@ -30,8 +31,16 @@ const std::string& numberSpace() {
         std::array<char, 8> digits{};
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16).ptr;
         return std::string(digits.data(), end);
-    }();
+    }());
     return space;
+}
+
+/// The process that the mark names, if it is one of this number space; else 0.
+pid_t processHere(const std::string& mark) {
+    pid_t process = 0;
+    const auto number = std::from_chars(mark.data(), mark.data() + mark.size(), process);
+    if (number.ec != std::errc() || process <= 0) return 0;
+    return std::string(number.ptr, mark.data() + mark.size()) == "-" + numberSpace() ? process : 0;
 }
 
 bool isOld(const fs::path& place) {
@@ -47,11 +56,8 @@ std::string ownerMark() {
 }
 
 bool ownerIsGone(const std::string& mark) {
-    pid_t process = 0;
-    const auto number = std::from_chars(mark.data(), mark.data() + mark.size(), process);
-    if (number.ec != std::errc() || process <= 0) return false;
-    if (std::string(number.ptr, mark.data() + mark.size()) != "-" + numberSpace()) return false;
-    return ::kill(process, 0) != 0 && errno == ESRCH;
+    const pid_t process = processHere(mark);
+    return process != 0 && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 std::vector<fs::path> leftovers(const fs::path& folder, const std::string& prefix,
@@ -66,7 +72,10 @@ std::vector<fs::path> leftovers(const fs::path& folder, const std::string& prefi
             continue;
         const std::string mark = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
         if (mark.find_first_not_of("0123456789abcdef-") != std::string::npos) continue;
-        if (ownerIsGone(mark) || isOld(entry->path())) found.push_back(entry->path());
+        // Age says nothing of a process that is known to live: it may write for days, and a second name of an
+        // old file is as old as that file.
+        const bool abandoned = processHere(mark) != 0 ? ownerIsGone(mark) : isOld(entry->path());
+        if (abandoned) found.push_back(entry->path());
     }
     return found;
 }

@@ -14,7 +14,7 @@ std::string ownerMark();
 bool ownerIsGone(const std::string& mark);
 
 /// Temporary files and folders in `folder` whose names are `prefix`, an owner's mark and `suffix`, and whose
-/// owner was killed: gone for certain, or not heard of for a day.
+/// owner was killed: gone for certain or, of other machines, not heard of for a day.
 std::vector<std::filesystem::path> leftovers(const std::filesystem::path& folder, const std::string& prefix,
                                              const std::string& suffix);
 

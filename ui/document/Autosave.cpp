@@ -1,7 +1,7 @@
 #include "ui/document/Autosave.h"
 
-#include <chrono>
-#include <iterator>
+#include <algorithm>
+#include <iostream>
 #include <utility>
 
 #include "core/scene/CaseFile.h"
@@ -26,28 +26,39 @@ Autosave::Autosave(Document& document, std::filesystem::path root, QObject* pare
       document_(document),
       autosaves_(std::move(root)),
       session_(std::make_shared<CaseSession>(autosaves_)),
-      step_(document.step()) {
+      step_(document.step()),
+      writer_([this](const std::shared_ptr<CaseSession>& session, const CaseSession::Kept& kept,
+                     std::uint64_t last) {
+          QMetaObject::invokeMethod(
+              this,
+              // A call that waits for the window must not keep a case locked that was left.
+              [this, session = std::weak_ptr(session), kept, last] {
+                  if (session.lock() == session_) tell(kept, last);
+              },
+              Qt::QueuedConnection);
+      }) {
     connect(&document_, &Document::replaced, this, [this] {
-        const auto left = std::exchange(
-            session_, next_ ? std::exchange(next_, nullptr) : std::make_shared<CaseSession>(autosaves_));
-        enqueue({left, {}, true, count_});
+        forget(std::exchange(
+            session_, next_ ? std::exchange(next_, nullptr) : std::make_shared<CaseSession>(autosaves_)));
         step_ = document_.step();
         state_ = State::nothing;
         problem_.clear();
     });
     connect(&document_, &Document::changed, this, [this] { watch(); });
     retry_.setInterval(kRetry_ms);
-    connect(&retry_, &QTimer::timeout, this, [this] { enqueue({session_, {}, false, count_}); });
-    worker_ = std::thread([this] { work(); });
+    connect(&retry_, &QTimer::timeout, this, [this] { enqueue({}); });
 }
 
 Autosave::~Autosave() {
-    {
-        const std::scoped_lock lock(mutex_);
-        stop_ = true;
-    }
-    wake_.notify_all();
-    worker_.join();
+    writer_.end(patience_ms_);
+    const quint64 safe = std::max<quint64>(writer_.kept(), settled_);
+    if (ended_ || safe >= count_) return;
+    std::cerr << "vestige: "
+              << tr("the last changes (%1) are not stored: %2")
+                     .arg(count_ - safe)
+                     .arg(problem_.isEmpty() ? tr("the disk does not answer") : problem_)
+                     .toStdString()
+              << '\n';
 }
 
 std::shared_ptr<CaseSession> Autosave::open(const std::filesystem::path& file) {
@@ -57,9 +68,9 @@ std::shared_ptr<CaseSession> Autosave::open(const std::filesystem::path& file) {
     return std::make_shared<CaseSession>(autosaves_, file);
 }
 
-std::shared_ptr<CaseSession> Autosave::takeOver(const Abandoned& abandoned) {
+Result<std::shared_ptr<CaseSession>> Autosave::takeOver(const Abandoned& abandoned) {
     auto session = std::make_shared<CaseSession>(autosaves_);
-    session->takeOver(abandoned);
+    if (const Status taken = session->takeOver(abandoned); !taken) return fail(taken.error());
     return session;
 }
 
@@ -78,55 +89,22 @@ void Autosave::watch() {
     ++count_;
     const QString what = forward ? document_.undoText() : tr("undo %1").arg(document_.redoText());
     if (state_ != State::failed) state_ = State::writing;
-    enqueue({session_, {{what.toStdString(), withoutData(document_.state())}}, false, count_});
+    enqueue({{what.toStdString(), withoutData(document_.state())}});
     emit changed();
 }
 
-void Autosave::enqueue(Waiting waiting) {
-    {
-        const std::scoped_lock lock(mutex_);
-        waiting_.push_back(std::move(waiting));
-    }
-    wake_.notify_all();
+void Autosave::enqueue(std::vector<CaseEdit> edits) {
+    writer_.add({session_, std::move(edits), false, count_});
 }
 
-void Autosave::work() {
-    while (true) {
-        Waiting next;
-        {
-            std::unique_lock lock(mutex_);
-            busy_ = false;
-            if (waiting_.empty()) idle_.notify_all();
-            wake_.wait(lock, [this] { return stop_ || !waiting_.empty(); });
-            if (waiting_.empty()) return;
-            next = std::move(waiting_.front());
-            waiting_.pop_front();
-            busy_ = true;
-            // What came in while the last was written goes in one step.
-            while (!next.discard && !waiting_.empty() && !waiting_.front().discard &&
-                   waiting_.front().session == next.session) {
-                auto& more = waiting_.front();
-                next.edits.insert(next.edits.end(), std::make_move_iterator(more.edits.begin()),
-                                  std::make_move_iterator(more.edits.end()));
-                next.last = more.last;
-                waiting_.pop_front();
-            }
-        }
-        if (next.discard) {
-            next.session->discard();
-            continue;
-        }
-        const auto kept = next.session->append(std::move(next.edits));
-        // Queued calls to an object that is gone are dropped by Qt.
-        QMetaObject::invokeMethod(
-            this, [this, session = next.session, kept, last = next.last] { tell(session, kept, last); },
-            Qt::QueuedConnection);
-    }
+/// The session's edits are saved elsewhere, or the user does not want them.
+void Autosave::forget(std::shared_ptr<CaseSession> session) {
+    recovered_ = false;
+    settled_ = count_;
+    writer_.add({std::move(session), {}, true, count_});
 }
 
-void Autosave::tell(const std::shared_ptr<CaseSession>& session, const CaseSession::Kept& kept,
-                    quint64 last) {
-    if (session != session_) return;
+void Autosave::tell(const CaseSession::Kept& kept, quint64 last) {
     const QString problem = QString::fromStdString(kept.problem);
     const bool news = problem != problem_;
     problem_ = problem;
@@ -159,19 +137,25 @@ Status Autosave::save(const std::filesystem::path& file) {
     const bool made = std::filesystem::create_directories(folder, problem);
     if (problem)
         return fail(ErrorCode::output, "the folder cannot be made: " + problem.message(), folder.string());
-    const auto session = here ? session_ : std::make_shared<CaseSession>(autosaves_, file);
+    auto session = here ? session_ : std::make_shared<CaseSession>(autosaves_, file);
     // Edits that still wait belong before the save.
-    if (here) flush(10000);
+    if (here && !writer_.flush(patience_ms_, session_))
+        return fail(ErrorCode::output, "the disk has not yet taken the changes that were made before",
+                    place.string(), "nothing was saved; try again later, or save under another name");
     const Status saved =
         document_.saveWith(file, [&](const SceneState& state) { return session->save(state); });
     if (!saved) {
+        // Without its lock and what it began to write.
+        session.reset();
+        if (made && isCaseStore(place))
+            for (const char* name : {"case.db", "case.db-journal"})
+                std::filesystem::remove(place / name, problem);
         if (made) std::filesystem::remove(folder, problem);  // if it is empty
         return saved;
     }
-    if (!here) {
-        const auto left = std::exchange(session_, session);
-        enqueue({left, {}, true, count_});
-    }
+    if (!here) forget(std::exchange(session_, session));
+    recovered_ = false;
+    settled_ = count_;
     state_ = State::stored;
     problem_.clear();
     retry_.stop();
@@ -202,24 +186,24 @@ QString Autosave::text() const {
 void Autosave::discardRecovered() {
     if (!canDiscardRecovered()) return;
     if (document_.step() == kRecovery) document_.undo();
-    enqueue({session_, {}, true, count_});
+    forget(session_);
 }
 
 bool Autosave::canDiscardRecovered() const {
-    return document_.step() <= kRecovery;
+    return recovered_ && document_.step() <= kRecovery;
 }
 
 bool Autosave::flush(int milliseconds) {
-    std::unique_lock lock(mutex_);
-    return idle_.wait_for(lock, std::chrono::milliseconds(milliseconds),
-                          [this] { return waiting_.empty() && !busy_; });
+    return writer_.flush(milliseconds);
 }
 
 void Autosave::end() {
     ended_ = true;
     retry_.stop();
-    enqueue({session_, {}, true, count_});
-    flush(10000);
+    forget(session_);
+    if (writer_.flush(patience_ms_)) return;
+    patience_ms_ = 0;  // it was waited for
+    emit troubled(tr("The disk does not answer: changes that were not saved may be offered once more."));
 }
 
 }  // namespace vestige

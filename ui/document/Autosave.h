@@ -2,17 +2,12 @@
 
 #include <QObject>
 #include <QTimer>
-#include <condition_variable>
-#include <deque>
 #include <filesystem>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <string>
-#include <thread>
 #include <vector>
 
 #include "core/scene/store/CaseSession.h"
+#include "ui/document/EditWriter.h"
 
 namespace vestige {
 
@@ -27,19 +22,25 @@ class Autosave : public QObject {
   public:
     /// `root`: the user's folder for edits that cannot be kept with their case.
     Autosave(Document& document, std::filesystem::path root, QObject* parent = nullptr);
-    /// Writes what waits; the case's edits stay for the next window unless `end` was called.
+    /// Writes what waits, as long as `setPatience` says, and tells on stderr of edits that were not stored;
+    /// the case's edits stay for the next window unless `end` was called.
     ~Autosave() override;
+    /// The longest that the window waits, in `save` and at its end, for edits to be written; 10 s.
+    void setPatience(int milliseconds) { patience_ms_ = milliseconds; }
 
     /// Takes the case at `file` for this window. The session is to be handed to `follow` when the document
     /// holds the case.
     std::shared_ptr<CaseSession> open(const std::filesystem::path& file);
-    /// One for a case without a place, that takes over what was left behind.
-    std::shared_ptr<CaseSession> takeOver(const Abandoned& abandoned);
+    /// One for a case without a place, that takes over what was left behind. ErrorCode::input when that
+    /// cannot be read.
+    Result<std::shared_ptr<CaseSession>> takeOver(const Abandoned& abandoned);
     /// Before the document is replaced by the session's case. The user has agreed to leave the present one:
     /// its unsaved edits are forgotten. A replacement without this call begins a case without a place.
     void follow(std::shared_ptr<CaseSession> session);
 
-    /// Saves the document to `file`, and from then on keeps its edits there.
+    /// Saves the document to `file`, and from then on keeps its edits there. ErrorCode::output, and nothing
+    /// is changed, also when earlier edits of the case are not written in time. Waits for the disk to take
+    /// it.
     Status save(const std::filesystem::path& file);
     /// Why the open case cannot be saved where it is; empty when it can.
     QString readOnly() const;
@@ -52,13 +53,16 @@ class Autosave : public QObject {
     /// "All changes saved", "All changes autosaved", "Autosave failed: the disk is full", ...
     QString text() const;
 
-    /// Goes back from recovered edits, the document's first step, to the saved case, and forgets them.
+    /// The document's first step, just done, is the recovery of edits.
+    void noteRecovered() { recovered_ = true; }
+    /// Goes back from recovered edits to the saved case, and forgets them.
     void discardRecovered();
-    /// False once there are other edits after them.
+    /// False once there are other edits after them, they were saved, or another case is open.
     bool canDiscardRecovered() const;
     /// Waits until everything is written or has failed; false after `milliseconds`.
     bool flush(int milliseconds);
-    /// The user leaves the case for good: writes nothing more and forgets the unsaved edits.
+    /// The user leaves the case for good: writes nothing more and forgets the unsaved edits. Where that takes
+    /// too long it is told, and they are offered once more.
     void end();
 
   signals:
@@ -69,16 +73,10 @@ class Autosave : public QObject {
     void troubled(const QString& sentence);
 
   private:
-    struct Waiting {
-        std::shared_ptr<CaseSession> session;
-        std::vector<CaseEdit> edits;
-        bool discard = false;
-        quint64 last = 0;
-    };
     void watch();
-    void enqueue(Waiting waiting);
-    void work();
-    void tell(const std::shared_ptr<CaseSession>& session, const CaseSession::Kept& kept, quint64 last);
+    void enqueue(std::vector<CaseEdit> edits);
+    void forget(std::shared_ptr<CaseSession> session);
+    void tell(const CaseSession::Kept& kept, quint64 last);
 
     Document& document_;
     Autosaves autosaves_;
@@ -87,18 +85,14 @@ class Autosave : public QObject {
     std::uint64_t step_ = 0;
     quint64 count_ = 0;
     quint64 kept_ = 0;
+    quint64 settled_ = 0;  ///< the edits up to this one are saved, or nobody wants them
     State state_ = State::nothing;
     QString problem_;
     QTimer retry_;
     bool ended_ = false;
-
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    std::condition_variable idle_;
-    std::deque<Waiting> waiting_;
-    bool busy_ = false;
-    bool stop_ = false;
-    std::thread worker_;
+    bool recovered_ = false;  ///< the first step is the recovery
+    int patience_ms_ = 10000;
+    EditWriter writer_;
 };
 
 }  // namespace vestige

@@ -69,9 +69,25 @@ Status Loader::openCase(const std::filesystem::path& file) {
 Status Loader::recover(const Abandoned& abandoned) {
     const std::filesystem::path file = abandoned.content.caseFile;
     std::error_code unknown;
-    if (!file.empty() && std::filesystem::exists(file, unknown)) return openCase(file);
-    if (!autosave_) return {};
-    return load(autosave_->takeOver(abandoned), SceneState(), {});
+    std::optional<Error> unreadable;
+    if (!file.empty() && std::filesystem::exists(file, unknown)) {
+        const auto saved = readCase(file, nullptr, UnsavedEdits::passedOver);
+        if (saved) return openCase(file);
+        unreadable = saved.error();
+    }
+    if (!autosave_) return unreadable ? Status(fail(*unreadable)) : Status();
+    auto session = autosave_->takeOver(abandoned);
+    if (!session) {
+        notices_.failed(session.error());
+        return fail(session.error());
+    }
+    const Status loaded = load(*session, SceneState(), {});
+    if (unreadable) {
+        if (!unreadable->hint.empty()) unreadable->hint += "; ";
+        unreadable->hint += "its changes are recovered as a case without a place";
+        notices_.failed(*unreadable);
+    }
+    return loaded;
 }
 
 Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,

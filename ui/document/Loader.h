@@ -33,7 +33,8 @@ class Loader : public QObject {
     /// data and is told; the error of an unreadable case is returned at once. With an inline runner
     /// everything is loaded on return and the first error of a layer is returned, too.
     Status openCase(const std::filesystem::path& file);
-    /// Opens what a window left behind that is gone: the case it belongs to, else a case without a place.
+    /// Opens what a window left behind that is gone: the case it belongs to, else (it is gone, or cannot be
+    /// read) a case without a place. What fails is told.
     Status recover(const Abandoned& abandoned);
     /// Cases are then taken for this window, and edits that were not saved come back as a step that can be
     /// undone.

@@ -75,6 +75,7 @@ void RecoveryBar::offerNext() {
 }
 
 void RecoveryBar::tellRecovered(const QString& sentence) {
+    autosave_.noteRecovered();
     ofOpenCase_ = true;
     text_->setText(
         tr("The program ended before this case was saved: %1. They are in place again.").arg(sentence));
@@ -85,10 +86,11 @@ void RecoveryBar::tellRecovered(const QString& sentence) {
 void RecoveryBar::accept() {
     if (ofOpenCase_) return offerNext();
     if (!mayLeave_()) return;
-    const Abandoned chosen = std::move(offers_.front());
-    offers_.erase(offers_.begin());
-    offerNext();
-    static_cast<void>(loader_.recover(chosen));
+    const Abandoned chosen = offers_.front();
+    // What came of it in spite of a failure, a layer that is missing, is told by `recovered`.
+    if (!loader_.recover(chosen) && !ofOpenCase_) return;
+    std::erase_if(offers_, [&](const Abandoned& one) { return one.folder == chosen.folder; });
+    if (!ofOpenCase_) offerNext();
 }
 
 void RecoveryBar::discard() {

@@ -81,9 +81,7 @@ void E57Cloud::add(const E57Rows& rows) {
         }
         ++ofScan_;
         seeReturn(rows, i);
-        if (options_.box && !((point.array() >= options_.box->min.array()).all() &&
-                              (point.array() <= options_.box->max.array()).all()))
-            continue;
+        if (options_.box && !options_.box->contains(point)) continue;
         if (met_++ % std::max<std::uint32_t>(1, options_.keepEvery) != 0) continue;
         builder_.add(point);
         addAttributes(rows, i);

@@ -74,6 +74,9 @@ LoadedGeometry readAsWanted(std::span<const std::byte> file, const ReadOptions& 
         if (const auto nodes = copcNodes(file, header, job)) ranges = rangesTouching(*nodes, *options.box);
     LoadedGeometry result;
     result.geometry.vertices = gatherLas(source, ranges, options, job);
+    // Damage in a file of one chunk leaves nothing that is sure.
+    if (options.wholeFile() && result.geometry.vertices.empty() && !source.damage().empty())
+        job.refuse(source.damage(), "a chunk of points that is whole");
     describeGeometry(result.geometry, result.info);
     if (drawn) {
         const LasPointLayout& layout = lasPointLayout(header.pointFormat);
@@ -122,7 +125,8 @@ Result<FileInfo> LasFormat::peek(const std::filesystem::path& file, const JobCon
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
         ReadJob job(file, control);
-        const LasHeader header = parseLasHeader(content->bytes(), job);
+        // Whoever salvages the file looks first; whether it is whole is told when it is read.
+        const LasHeader header = parseLasHeader(content->bytes(), job, true);
         FileInfo info;
         const LasPointLayout& layout = lasPointLayout(header.pointFormat);
         info.attributes = lasAttributes(layout, layout.gpsTime != 0);
@@ -149,7 +153,7 @@ Result<std::optional<LoadedGeometry>> LasFormat::preview(const std::filesystem::
         result.geometry.vertices =
             gatherLas(source, nodes ? coarseRanges(*nodes, points) : source.sample(points), options, job);
         describeGeometry(result.geometry, result.info);
-        describeHeader(header, job, result.info);
+        describeHeader(header, job, result.info, false);
         result.heeded = true;
         return std::optional(std::move(result));
     });

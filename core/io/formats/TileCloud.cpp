@@ -51,8 +51,7 @@ void TileCloud::padAttributes() {
 }
 
 bool TileCloud::add(const Eigen::Vector3d& point) {
-    if (box_ && !((point.array() >= box_->min.array()).all() && (point.array() <= box_->max.array()).all()))
-        return false;
+    if (box_ && !box_->contains(point)) return false;
     if (met_++ % keepEvery_ != 0) return false;
     builder_.add(point);
     return true;

@@ -57,22 +57,25 @@ void CaseSession::find(const fs::path& file) {
     StoredCase own;
     if (isCaseStore(place_))
         if (auto stored = readCaseStore(place_)) own = std::move(*stored);
-    fs::path folder = place_;
-    if (auto left = autosaves_.abandonedOf(place_)) {
-        origins_.push_back(left->folder);
-        if (own.drafts.empty() || left->content.lastMoment > own.lastMoment) {
-            own = std::move(left->content);
-            folder = left->folder;
+    recovered_ = recover(own, place_);
+    if (const auto left = autosaves_.abandonedOf(place_)) {
+        // One that cannot be read stays for whoever can make something of it.
+        if (auto found = recover(left->content, left->folder)) {
+            origins_.push_back(left->folder);
+            if (!recovered_ || left->content.lastMoment > own.lastMoment) recovered_ = std::move(found);
         }
     }
-    recovered_ = recover(own, folder);
     if (recovered_) recovered_->state.file = file;
 }
 
-void CaseSession::takeOver(const Abandoned& abandoned) {
+Status CaseSession::takeOver(const Abandoned& abandoned) {
     const std::scoped_lock one(mutex_);
-    origins_.push_back(abandoned.folder);
     recovered_ = recover(abandoned.content, abandoned.folder);
+    if (!recovered_)
+        return fail(ErrorCode::input, "none of the states that were kept here can be read",
+                    abandoned.folder.string());
+    origins_.push_back(abandoned.folder);
+    return {};
 }
 
 Status CaseSession::keepWithUser() {

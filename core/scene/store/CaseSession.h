@@ -40,7 +40,8 @@ class CaseSession {
     std::optional<Recovered> takeRecovered() { return std::exchange(recovered_, std::nullopt); }
 
     /// Makes an abandoned autosave this session's origin; it is removed once its edits are kept here.
-    void takeOver(const Abandoned& abandoned);
+    /// ErrorCode::input, and it stays, when none of its states can be read.
+    Status takeOver(const Abandoned& abandoned);
 
     /// How edits are kept: with the case, in the user's folder because of `problem`, or not at all.
     struct Kept {

@@ -34,14 +34,22 @@ std::string hashOf(const std::string& text) {
 }
 
 /// A case.json that was not written here is somebody's work, or the case before there was a database.
-void keepForeignCopy(const fs::path& json, Database& database) {
+bool isForeign(const fs::path& json, Database& database) {
+    std::error_code unknown;
+    if (!fs::exists(fs::symlink_status(json, unknown))) return false;
+    if (!fs::is_regular_file(json, unknown)) return true;  // a pipe would be waited for
     const auto hash = sha256OfFile(json);
-    if (!hash || database.number("SELECT count(*) FROM saves WHERE sha256=?", {*hash}) > 0) return;
+    return !hash || database.number("SELECT count(*) FROM saves WHERE sha256=?", {*hash}) == 0;
+}
+
+/// False when it stays where it is.
+bool moveAside(const fs::path& json) {
     std::error_code error;
     fs::path kept = json;
-    for (int number = 1; number == 1 || fs::exists(kept, error); ++number)
+    for (int number = 1; number == 1 || fs::exists(fs::symlink_status(kept, error)); ++number)
         kept = json.parent_path() / ("case-before-" + std::to_string(number) + ".json");
     fs::rename(json, kept, error);
+    return !error;
 }
 
 }  // namespace
@@ -133,7 +141,7 @@ Status CaseStore::save(const SceneState& state) {
         if (!text) throw ErrorException{text.error()};
         const fs::path json = folder_ / "case.json";
         Database::Transaction change(database);
-        keepForeignCopy(json, database);
+        const bool foreign = isForeign(json, database);
         database.run("INSERT INTO saves(time, program, case_text, sha256) VALUES(?, ?, ?, ?)",
                      {utcNow(), std::string("vestige ") + kVersion, *text, hashOf(*text)});
         database.run(
@@ -142,8 +150,9 @@ Status CaseStore::save(const SceneState& state) {
             {kKeptSaves});
         database.run("UPDATE journal SET case_text=NULL WHERE case_text IS NOT NULL");
         change.commit();
-        // The case is saved; a copy that cannot be written now is written with the next save.
-        static_cast<void>(writeTextFile(json, *text));
+        // The case is saved, and only now may the file go that was the case before. A copy that cannot be
+        // written now is written with the next save.
+        if (!foreign || moveAside(json)) static_cast<void>(writeTextFile(json, *text));
     });
 }
 

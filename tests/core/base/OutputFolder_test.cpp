@@ -13,6 +13,7 @@
 #include <random>
 
 #include "core/base/AtomicFile.h"
+#include "core/base/Leftovers.h"
 #include "tests/support/TestPaths.h"
 
 namespace vestige {
@@ -232,6 +233,33 @@ TEST(AtomicFile, ClearsAwayWhatAKilledProcessLeft) {
         writeTextFile(folder / ".table.partial-1-beef.csv", "of a living process of another machine"));
     ASSERT_TRUE(writeTextFile(folder / "table.csv", "whole"));
     EXPECT_THAT(namesIn(folder.path()), ElementsAre(".table.partial-1-beef.csv", "table.csv"));
+}
+
+TEST(AtomicFile, AgeCountsOnlyForProcessesOfOtherMachines) {
+    const TemporaryFolder folder;
+    const auto lastWeek = fs::file_time_type::clock::now() - std::chrono::hours(24 * 7);
+    const std::string mine = ".table.replaced-" + ownerMark() + ".csv";
+    for (const std::string& name : {mine, std::string(".table.partial-1-beef.csv")}) {
+        ASSERT_TRUE(writeTextFile(folder / name, "old"));
+        fs::last_write_time(folder / name, lastWeek);
+    }
+    OutputFolder living(folder / "out");
+    ASSERT_TRUE(living.open());
+    ASSERT_TRUE(writeTextFile(living.path("a.csv"), "a"));
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        if (entry.is_directory()) fs::last_write_time(entry.path(), lastWeek);
+    const pid_t other = ::fork();
+    if (other == 0) {
+        OutputFolder second(folder / "out");
+        ::_exit(second.open() && writeTextFile(folder / "table.csv", "new") ? 0 : 3);
+    }
+    int status = 0;
+    ::waitpid(other, &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_TRUE(fs::exists(folder / mine)) << "its process lives";
+    EXPECT_FALSE(fs::exists(folder / ".table.partial-1-beef.csv"));
+    ASSERT_TRUE(living.commit());
+    EXPECT_EQ(readTextFile(folder / "out/a.csv").value_or("lost"), "a");
 }
 
 TEST(OutputFolder, RefusesAPlaceThatIsAFile) {

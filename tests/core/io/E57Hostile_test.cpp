@@ -253,11 +253,16 @@ TEST(E57Hostile, WhatIsWholeOfADamagedScanIsRead) {
     std::string bytes = readBytes(file);
     bytes[400000] = static_cast<char>(bytes[400000] ^ 1);
     expectRefused(bytes, "checksum");
+    const Result<LoadedGeometry> refused = readBack(bytes, {});
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(refused.error().salvageable) << "the window offers it";
     ReadOptions salvage;
     salvage.salvage = true;
     const Result<LoadedGeometry> read = readBack(bytes, salvage);
     ASSERT_TRUE(read) << read.error().sentence();
     const PointCloud& cloud = read->geometry.vertices;
+    EXPECT_NE(refused.error().sentence().find(std::to_string(cloud.size()) + " points"), std::string::npos)
+        << refused.error().sentence();
     ASSERT_GT(cloud.size(), 10000);
     ASSERT_LT(cloud.size(), whole.geometry.vertices.size());
     EXPECT_NE(read->info.damage.find(std::to_string(cloud.size()) + " of 30571 points"), std::string::npos)

@@ -9,6 +9,7 @@
 #include <map>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #include "core/base/AtomicFile.h"
 #include "core/scene/CaseFile.h"
@@ -179,6 +180,37 @@ TEST(Killed, AtRandomMomentsNothingThatWasStoredIsLostAndNothingIsHalfWritten) {
     EXPECT_FALSE(fs::exists(folder / "night.vestige/lock"));
     EXPECT_TRUE(fs::is_empty(folder / "autosave"));
     EXPECT_EQ(readCaseStore(folder / "night.vestige")->unsaved, 0);
+}
+
+TEST(Killed, AFolderFromBeforeThereWereDatabasesOpensWhereverItsFirstSaveIsKilled) {
+    const std::string old = R"({"vestige":1,"operator":"before"})";
+    std::mt19937 random(20261127);
+    int saved = 0;
+    // The first is let get through, which tells how long that takes here.
+    std::chrono::microseconds whole{0};
+    for (int round = 0; round < 60; ++round) {
+        const test::TemporaryFolder folder;
+        const fs::path place = folder / "night.vestige";
+        ASSERT_TRUE(writeTextFile(place / "case.json", old));
+        const auto begin = std::chrono::steady_clock::now();
+        Child child(folder.path(), static_cast<unsigned>(random()), 0, 0, false);
+        if (round == 0) {
+            child.awaitBegin();
+            whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                                          begin);
+        } else {
+            std::this_thread::sleep_for(whole * (random() % 1000) / 900);
+        }
+        child.finish(true);
+        const auto read = readCase(place);
+        ASSERT_TRUE(read) << round << ": " << read.error().sentence();
+        saved += read->operatorName != "before";
+        EXPECT_TRUE(readTextFile(place / "case.json").value_or("") == old ||
+                    readTextFile(place / "case-before-1.json").value_or("") == old)
+            << round;
+    }
+    EXPECT_GT(saved, 0) << "the first at least";
+    RecordProperty("killed before the save", 60 - saved);
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 #include "core/base/AtomicFile.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "core/scene/store/Autosaves.h"
 #include "core/scene/store/CaseStore.h"
+#include "core/scene/store/Database.h"
 #include "tests/support/TestPaths.h"
 #include "tests/ui/shell/SampleScans.h"
 #include "tests/ui/shell/WindowDriver.h"
@@ -139,6 +141,70 @@ TEST_F(StoreWindow, EditsAfterTheLastSaveComeBackAsAStepThatCanBeUndone) {
         ASSERT_TRUE(driver->window().openCase(place));
         EXPECT_EQ(driver->label("recovery-text"), "") << name;
     }
+}
+
+TEST_F(StoreWindow, TheBarOfRecoveredEditsGoesWithTheirCaseAndWithSaving) {
+    const fs::path place = folder / "night.vestige";
+    for (const char* end : {"file.new", "file.save"}) {
+        saveCase(place);
+        auto driver = start();
+        ASSERT_TRUE(driver->window().openCase(place));
+        edit(*driver, "later");
+        kill(driver);
+        driver = start();
+        ASSERT_TRUE(driver->window().openCase(place));
+        EXPECT_NE(driver->label("recovery-text"), "");
+        ASSERT_TRUE(driver->trigger(end));
+        EXPECT_EQ(driver->label("recovery-text"), "") << end;
+        if (driver->scene().file.empty()) edit(*driver, "first of the next case");
+        const std::string now = driver->scene().operatorName;
+        EXPECT_FALSE(driver->window().autosave()->canDiscardRecovered());
+        driver->window().autosave()->discardRecovered();
+        EXPECT_EQ(driver->scene().operatorName, now) << end;
+        kill(driver);
+        EXPECT_EQ(readCaseStore(place)->unsaved, 0);
+        fs::remove_all(place);
+        driver = start();
+        press(*driver, "recovery-discard");
+    }
+}
+
+TEST_F(StoreWindow, EditsOfACaseThatCannotBeReadAnyMoreComeBackWithoutAPlace) {
+    const fs::path place = folder / "night.json";
+    saveCase(place);
+    auto driver = start();
+    ASSERT_TRUE(driver->window().openCase(place));
+    edit(*driver, "later");
+    kill(driver);
+    ASSERT_TRUE(writeTextFile(place, "{ half"));
+    driver = start();
+    ASSERT_TRUE(press(*driver, "recovery-accept"));
+    EXPECT_EQ(driver->scene().operatorName, "later");
+    EXPECT_EQ(driver->scene().layers.size(), 1u);
+    EXPECT_TRUE(driver->scene().file.empty());
+    EXPECT_TRUE(driver->window().document().modified());
+    EXPECT_TRUE(notice(*driver).contains("night.json")) << notice(*driver).toStdString();
+    EXPECT_TRUE(notice(*driver).contains("case without a place"));
+    kill(driver);
+    driver = start();
+    EXPECT_TRUE(driver->label("recovery-text").contains("never saved")) << "it is still kept";
+}
+
+TEST_F(StoreWindow, AnOfferThatCannotBeReadIsToldAndStays) {
+    auto driver = start();
+    edit(*driver, "me");
+    kill(driver);
+    const fs::path left = Autosaves(folder / "user").abandoned().at(0).folder;
+    Database(left / "case.db", Database::Access::write).run("UPDATE journal SET case_text='{ half'");
+    driver = start();
+    edit(*driver, "present");
+    ASSERT_TRUE(press(*driver, "recovery-accept"));
+    EXPECT_TRUE(notice(*driver).contains("none of the states")) << notice(*driver).toStdString();
+    EXPECT_EQ(driver->scene().operatorName, "present") << "the open case is not given up for nothing";
+    EXPECT_NE(driver->label("recovery-text"), "");
+    edit(*driver, "next");
+    settle(*driver);
+    EXPECT_TRUE(fs::exists(left / "case.db"));
 }
 
 TEST_F(StoreWindow, ClosingAndDiscardingForgetsSavingKeeps) {

@@ -12,6 +12,7 @@
 
 #include "core/base/AtomicFile.h"
 #include "core/scene/CaseFile.h"
+#include "core/scene/store/Database.h"
 #include "tests/core/scene/SampleScene.h"
 #include "tests/support/TestPaths.h"
 
@@ -104,13 +105,47 @@ TEST_F(Session, AnUntitledCaseIsKeptAndTakenOver) {
     ASSERT_EQ(left.size(), 1u);
     EXPECT_EQ(left[0].content.caseFile, "");
     CaseSession next(autosaves);
-    next.takeOver(left[0]);
+    ASSERT_TRUE(next.takeOver(left[0]));
     const auto found = next.takeRecovered();
     ASSERT_TRUE(found);
     EXPECT_EQ(caseText(found->state), caseText(sample("1")));
     EXPECT_TRUE(fs::exists(left[0].folder)) << "until it is kept anew";
     next.append({{"recover", found->state}});
     EXPECT_FALSE(fs::exists(left[0].folder));
+}
+
+TEST_F(Session, WhatCannotBeReadIsNotTakenOverAndStays) {
+    for (const char* name : {"", "case.json"}) {
+        const fs::path file = folder / name;
+        const bool untitled = std::string(name).empty();
+        if (!untitled) {
+            ASSERT_TRUE(writeCase(file, sample("saved")));
+        }
+        {
+            CaseSession killed = untitled ? CaseSession(autosaves) : CaseSession(autosaves, file);
+            killed.append({{"one", sample("1")}});
+        }
+        const auto left = autosaves.abandoned();
+        ASSERT_EQ(left.size(), 1u);
+        Database(left[0].folder / "case.db", Database::Access::write)
+            .run("UPDATE journal SET case_text='{ half'");
+        if (untitled) {
+            CaseSession next(autosaves);
+            const Status taken = next.takeOver(autosaves.abandoned().at(0));
+            ASSERT_FALSE(taken);
+            EXPECT_EQ(taken.error().code, ErrorCode::input);
+            EXPECT_FALSE(next.takeRecovered());
+            EXPECT_TRUE(next.append({{"two", sample("2")}}).kept);
+            next.discard();
+        } else {
+            const auto next = open(file);
+            EXPECT_FALSE(next->takeRecovered());
+            EXPECT_TRUE(next->append({{"two", sample("2")}}).kept);
+            EXPECT_TRUE(next->save(sample("2")));
+        }
+        EXPECT_TRUE(fs::exists(left[0].folder / "case.db")) << name;
+        Autosaves::remove(left[0].folder);
+    }
 }
 
 /// A file system that cannot be written, or has little room.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -125,6 +127,56 @@ TEST(CaseStore, AFolderWithCaseJsonIsReadAndBecomesAStoreWhenSaved) {
     ASSERT_TRUE(writeCase(place, sample("after")));
     EXPECT_EQ(readCase(place)->operatorName, "after");
     EXPECT_EQ(readTextFile(place / "case-before-1.json").value(), R"({"vestige":1,"operator":"before"})");
+}
+
+/// Saves in a process of its own, which may write no file larger than `bytes`: at that write the system kills
+/// it, or the disk is full.
+void saveWithLittleRoom(const fs::path& place, const SceneState& scene, rlim_t bytes, bool killed) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const rlimit none{0, 0}, little{bytes, bytes};
+        ::setrlimit(RLIMIT_CORE, &none);
+        ::signal(SIGXFSZ, killed ? SIG_DFL : SIG_IGN);
+        ::setrlimit(RLIMIT_FSIZE, &little);
+        ::_exit(writeCase(place, scene) ? 0 : 3);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(killed ? WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ : WIFEXITED(status)) << status;
+}
+
+TEST(CaseStore, AFolderWithCaseJsonOpensAfterItsFirstSaveWasKilledOrFoundTheDiskFull) {
+    const std::string old = R"({"vestige":1,"operator":"before"})";
+    const std::string after(100000, 'a');
+    int untouched = 0;
+    for (const bool killed : {true, false})
+        for (rlim_t bytes = 0; bytes < 130000; bytes += 7000) {
+            const TemporaryFolder folder;
+            const fs::path place = folder / "old.vestige";
+            ASSERT_TRUE(writeTextFile(place / "case.json", old));
+            if (killed && bytes > 100000) continue;  // it may get through
+            saveWithLittleRoom(place, sample(after), bytes, killed);
+            const auto read = readCase(place);
+            ASSERT_TRUE(read) << bytes << killed << ": " << read.error().sentence();
+            EXPECT_TRUE(read->operatorName == "before" || read->operatorName == after) << bytes << killed;
+            untouched += readTextFile(place / "case.json").value_or("") == old;
+            ASSERT_TRUE(writeCase(place, sample("next")));
+            EXPECT_EQ(readCase(place)->operatorName, "next") << bytes << killed;
+            EXPECT_EQ(readTextFile(place / "case-before-1.json").value_or("none"), old) << bytes << killed;
+        }
+    EXPECT_GT(untouched, 20) << "most of them stopped before the case was saved";
+}
+
+TEST(CaseStore, APipeInPlaceOfTheCopyIsNotWaitedFor) {
+    const TemporaryFolder folder;
+    const fs::path place = folder / "night.vestige";
+    ASSERT_TRUE(writeCase(place, sample("ours")));
+    fs::remove(place / "case.json");
+    ASSERT_EQ(::mkfifo((place / "case.json").c_str(), 0600), 0);
+    EXPECT_EQ(readCase(place)->operatorName, "ours");
+    ASSERT_TRUE(writeCase(place, sample("ours again")));
+    EXPECT_TRUE(fs::is_regular_file(place / "case.json"));
+    EXPECT_TRUE(fs::is_fifo(place / "case-before-1.json"));
 }
 
 TEST(CaseStore, ACopyThatSomebodyEditedIsToldAndKept) {
