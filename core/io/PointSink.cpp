@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Numbers.h"
 #include "core/io/Coordinates.h"
 
 namespace vestige {
@@ -67,7 +68,7 @@ bool PointSink::add(const double* row) {
         const double value = row[column];
         switch (field) {
             case PointField::intensity:
-                attributes.intensity.push_back(static_cast<float>(value));
+                attributes.intensity.push_back(toFloat(value));
                 break;
             case PointField::gpsTime:
                 attributes.gpsTime.push_back(value);
@@ -108,8 +109,7 @@ bool PointSink::addRecords(const std::byte* body, std::size_t points, RecordLayo
 
 void PointSink::addColor(double red, double green, double blue) {
     if (depth_ == ColorDepth::guess) {
-        undecidedColors_.emplace_back(static_cast<float>(red), static_cast<float>(green),
-                                      static_cast<float>(blue));
+        undecidedColors_.emplace_back(toFloat(red), toFloat(green), toFloat(blue));
         return;
     }
     const double largest = depth_ == ColorDepth::bytes ? 255 : 65535;

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <span>
 
+#include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
 #include "core/geometry/PointCloudBuilder.h"
 #include "core/io/Coordinates.h"
@@ -274,7 +276,9 @@ class Records {
             // Doubles that are no unit vectors are made so at the end; what a float cannot hold is no
             // direction.
             each([&](std::size_t i, double value) {
-                attributes_.normal[i][axis] = static_cast<float>(value);
+                attributes_.normal[i][axis] = std::abs(value) <= std::numeric_limits<float>::max()
+                                                  ? static_cast<float>(value)
+                                                  : std::numeric_limits<float>::quiet_NaN();
             });
         };
         switch (column.field) {
@@ -302,7 +306,7 @@ class Records {
                     if (wordsOnly_)
                         words_[i] = static_cast<std::uint16_t>(value);
                     else
-                        intensities_[i] = static_cast<float>(value);
+                        intensities_[i] = toFloat(value);
                 });
             case classification:
                 return each([&](std::size_t i, double value) {

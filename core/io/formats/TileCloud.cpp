@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Numbers.h"
 #include "core/io/Describe.h"
 
 namespace vestige {
@@ -60,7 +61,7 @@ void TileCloud::addValue(PointField field, double value) {
     PointAttributes& attributes = builder_.attributes();
     switch (field) {
         case PointField::intensity:
-            attributes.intensity.push_back(static_cast<float>(value));
+            attributes.intensity.push_back(toFloat(value));
             break;
         case PointField::classification:
             attributes.classification.push_back(whole<std::uint8_t>(value));
