@@ -57,7 +57,12 @@ void offerWhatIsWhole(std::span<const std::byte> file, const ReadJob& refused, E
     try {
         ReadJob job(refused.path(), {});
         const LasHeader header = parseLasHeader(file, job, true);
-        const std::uint64_t points = LasSource(file, header, job, true, true).points();
+        LasSource source(file, header, job, true, true);
+        // What is compressed shows its damage only to who decodes it.
+        const std::uint64_t points =
+            header.compressed
+                ? source.read(source.ranges(), [](std::size_t, std::uint64_t, std::span<const LasPoint>) {})
+                : source.points();
         if (points > 0) offerSalvage(error, firstOf(points, header.promisedPoints, "point"));
     } catch (const ErrorException&) {
         // Nothing of it can be read: the refusal says why.
