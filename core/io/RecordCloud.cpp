@@ -13,6 +13,7 @@
 #include "core/base/Parallel.h"
 #include "core/geometry/PointCloudBuilder.h"
 #include "core/io/Coordinates.h"
+#include "core/io/FieldValues.h"
 
 namespace vestige {
 namespace {
@@ -254,12 +255,6 @@ class Records {
         colorScale_ = 65535 / largest;
     }
 
-    template <class Number>
-    static Number clamped(double value, double largest) {
-        if (std::isnan(value)) return 0;
-        return static_cast<Number>(std::nearbyint(std::clamp(value, 0.0, largest)));
-    }
-
     void setAttribute(const RecordColumn& column, std::size_t first, std::size_t many, Block& values) {
         using enum PointField;
         if (column.field == none || column.field == x || column.field == y || column.field == z) return;
@@ -269,7 +264,7 @@ class Records {
         };
         const auto channel = [&](std::size_t which) {
             each([&](std::size_t i, double value) {
-                attributes_.color[i][which] = clamped<std::uint16_t>(colorScale_ * value, 65535);
+                attributes_.color[i][which] = nearestInteger<std::uint16_t>(colorScale_ * value);
             });
         };
         const auto normal = [&](int axis) {
@@ -296,7 +291,7 @@ class Records {
                 return normal(2);
             case packedColor:
                 return each([&](std::size_t i, double value) {
-                    const auto packed = clamped<std::uint32_t>(value, 4294967295.0);
+                    const auto packed = nearestInteger<std::uint32_t>(value);
                     for (std::size_t which = 0; which < 3; ++which)
                         attributes_.color[i][which] =
                             static_cast<std::uint16_t>((packed >> (16 - 8 * which) & 255) * 257);
@@ -310,21 +305,21 @@ class Records {
                 });
             case classification:
                 return each([&](std::size_t i, double value) {
-                    attributes_.classification[i] = clamped<std::uint8_t>(value, 255);
+                    attributes_.classification[i] = nearestInteger<std::uint8_t>(value);
                 });
             case gpsTime:
                 return each([&](std::size_t i, double value) { attributes_.gpsTime[i] = value; });
             case pointSource:
                 return each([&](std::size_t i, double value) {
-                    attributes_.pointSource[i] = clamped<std::uint16_t>(value, 65535);
+                    attributes_.pointSource[i] = nearestInteger<std::uint16_t>(value);
                 });
             case returnNumber:
                 return each([&](std::size_t i, double value) {
-                    attributes_.returnNumber[i] = clamped<std::uint8_t>(value, 255);
+                    attributes_.returnNumber[i] = nearestInteger<std::uint8_t>(value);
                 });
             case returnCount:
                 return each([&](std::size_t i, double value) {
-                    attributes_.returnCount[i] = clamped<std::uint8_t>(value, 255);
+                    attributes_.returnCount[i] = nearestInteger<std::uint8_t>(value);
                 });
             default:
                 return;

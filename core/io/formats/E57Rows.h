@@ -1,12 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <vector>
 
-#include "core/geometry/PointCloud.h"
+#include "core/io/FieldValues.h"
 #include "core/io/formats/E57Streams.h"
 
 namespace vestige {
@@ -32,9 +29,7 @@ class E57Rows {
     /// The value as the nearest integer within 0 to the type's largest; 0 where it is no number.
     template <class Number>
     Number whole(E57Role role, std::size_t i, double plus = 0) const {
-        const double number = value(role, i) + plus;
-        constexpr double kLargest = std::numeric_limits<Number>::max();
-        return static_cast<Number>(number > 0 ? std::nearbyint(std::min(number, kLargest)) : 0);
+        return nearestInteger<Number>(value(role, i) + plus);
     }
     float intensity(std::size_t i) const;         ///< as in the file; 0 where it is invalid
     Color color(std::size_t i) const;             ///< the limits spread to 16 bits; black where invalid

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/io/AttributeNames.h"
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
 #include "core/io/formats/GltfBuffers.h"
@@ -148,8 +149,7 @@ Result<FileInfo> GltfFormat::peek(const std::filesystem::path& file, const JobCo
                 info.bounds.add(instance.fileFromMesh * point);
             }
         }
-        if (colors) info.attributes.emplace_back("color");
-        if (normals) info.attributes.emplace_back("normals");
+        info.attributes = attributeNames({.color = colors, .normals = normals});
         return info;
     });
 }

@@ -7,23 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/Descriptor.h"
 #include "core/base/JobControl.h"
 #include "core/io/importer/ImportedScene.h"
 
 namespace vestige {
-
-/// An open file descriptor that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor();
-    Descriptor(Descriptor&& other) noexcept;
-    Descriptor& operator=(Descriptor&& other) noexcept;
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 /// Opens a regular file for reading; throws ErrorException (ErrorCode::input).
 Descriptor openForReading(const std::filesystem::path& file);
