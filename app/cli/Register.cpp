@@ -10,6 +10,7 @@
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
+#include "core/io/IntoMetres.h"
 #include "core/registration/InitialPose.h"
 #include "core/registration/RegistrationJson.h"
 #include "core/registration/global/FirstPose.h"
@@ -96,7 +97,7 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, doub
 }
 
 /// All outputs or none.
-Status writeOutputs(const Options& options, const FileInfo& target, const LoadedGeometry& source,
+Status writeOutputs(const Options& options, const FileInfo& target, LoadedGeometry source,
                     const Similarity& pose, const JobControl& control) {
     AtomicFile poseFile(options.poseOut);
     if (const Status opened = poseFile.open(); !opened) return opened;
@@ -104,18 +105,12 @@ Status writeOutputs(const Options& options, const FileInfo& target, const Loaded
     if (options.aligned.empty()) return poseFile.commit();
     AtomicFile aligned(options.aligned);
     if (const Status opened = aligned.open(); !opened) return opened;
-    // The points are in the target's frame now, in metres.
-    FileInfo info = source.info;
-    const bool metric = target.metresPerUnit.value_or(1) == 1;
-    info.crs = metric ? target.crs : std::string();
-    info.crsRecords = metric ? target.crsRecords : std::vector<CrsRecord>();
-    info.metresPerUnit = 1;
-    if (info.scale && pose.scale != 1) {
-        *info.scale *= pose.scale;
-        info.offset.reset();
+    moveIntoMetres(source, pose);
+    if (target.metresPerUnit.value_or(1) == 1) {
+        source.info.crs = target.crs;
+        source.info.crsRecords = target.crsRecords;
     }
-    Status written =
-        writeGeometry(aligned.temporaryPath(), source.geometry.transformed(pose), {&info}, control);
+    Status written = writeGeometry(aligned.temporaryPath(), source.geometry, {&source.info}, control);
     if (!written && written.error().place == aligned.temporaryPath()) written.error().place = options.aligned;
     if (!written) return written;
     return AtomicFile::commit({&poseFile, &aligned});
@@ -158,7 +153,7 @@ int runRegister(Session& session, const Options& options) {
         session.log(options.target + " has " + exactText(metresPerTarget) +
                     " m a unit, as it says; the pose leads into its frame in metres");
     }
-    const Result<LoadedGeometry> source =
+    Result<LoadedGeometry> source =
         readPart(options.source, {options.part.every, std::nullopt, options.part.salvage},
                  options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
                  control.sub(0.2, 0.4));
@@ -187,8 +182,8 @@ int runRegister(Session& session, const Options& options) {
                     "first pose (--init)"};
         return session.failed(error);
     }
-    const Status written =
-        writeOutputs(options, target->info, *source, result->targetFromSource, control.sub(0.95, 1));
+    const Status written = writeOutputs(options, target->info, std::move(*source), result->targetFromSource,
+                                        control.sub(0.95, 1));
     if (!written) return session.failed(written.error());
     control.progress(1, "registration");
     report(session, options, *result);
