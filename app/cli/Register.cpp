@@ -46,7 +46,7 @@ std::optional<LengthUnit> unitOf(const FileInfo& info) {
 double scaleOf(const Options& options, const TriangleMesh& target, const LoadedGeometry& source,
                std::span<const PointPair> pairs, std::vector<std::string>& notes) {
     if (const auto unit = lengthUnitFromSymbol(options.unit)) return metresPer(*unit);
-    const UnitGuess guess = guessUnit(target, source.geometry, pairs, unitOf(source.info));
+    const UnitGuess guess = guessUnit(target, 1, source.geometry, pairs, unitOf(source.info));
     if (guess.unit != LengthUnit::metre || !guess.certain)
         notes.push_back(guess.reason + (guess.certain ? "" : " (not certain: say --unit m or --unit mm)"));
     return metresPer(guess.unit);

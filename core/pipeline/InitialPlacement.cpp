@@ -25,9 +25,11 @@ struct UnitChoice {
     std::vector<std::string> notes;
 };
 
-/// The unit the case gives, else the recognised one; a recognised unit that disagrees is told.
+/// The unit the case gives, else the recognised one; a recognised unit that disagrees is told. Of the pairs
+/// the target's points are in metres.
 UnitChoice chooseUnit(const Layer& layer, const Layer& target, std::span<const PointPair> pairs) {
-    const UnitGuess guess = guessUnit(*target.data->geometry, *layer.data->geometry, pairs, layer.fileUnit());
+    const UnitGuess guess = guessUnit(*target.data->geometry, target.metresPerUnit(), *layer.data->geometry,
+                                      pairs, layer.fileUnit());
     if (!layer.unit)
         return {guess.unit, {"unit recognised as " + std::string(symbol(guess.unit)) + ": " + guess.reason}};
     if (guess.certain && guess.unit != *layer.unit)

@@ -50,8 +50,9 @@ struct UnitGuess {
 };
 /// From the pairs' distance ratio where there are pairs (certain), else what the source's file says of it,
 /// else from the extent and the point spacing of the source against the target: a scan of over 5 times the
-/// target's plausible size is in millimetres. Pairs that fit no unit well leave the word to the file.
-UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs,
-                    std::optional<LengthUnit> ofFile = std::nullopt);
+/// target's plausible size is in millimetres. Pairs that fit no unit well leave the word to the file. The
+/// target has `metresPerTarget` a unit; the pairs' target points are in metres.
+UnitGuess guessUnit(const TriangleMesh& target, double metresPerTarget, const TriangleMesh& source,
+                    std::span<const PointPair> pairs, std::optional<LengthUnit> ofFile = std::nullopt);
 
 }  // namespace vestige

@@ -36,6 +36,8 @@ UnitGuess guessFromPairs(std::span<const PointPair> pairs) {
 struct Size {
     double extent = 0;   // diagonal of the bounds
     double spacing = 0;  // of points on the surface
+
+    Size operator*(double scale) const { return {scale * extent, scale * spacing}; }
 };
 
 Size sizeOf(const TriangleMesh& geometry) {
@@ -53,8 +55,8 @@ Size sizeOf(const TriangleMesh& geometry) {
 
 }  // namespace
 
-UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs,
-                    std::optional<LengthUnit> ofFile) {
+UnitGuess guessUnit(const TriangleMesh& target, double metresPerTarget, const TriangleMesh& source,
+                    std::span<const PointPair> pairs, std::optional<LengthUnit> ofFile) {
     if (pairs.size() >= 2) {
         UnitGuess guess = guessFromPairs(pairs);
         if (!ofFile) return guess;
@@ -68,7 +70,7 @@ UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std:
         return {*ofFile, true, "The file of the source says that it is in " + std::string(nameOf(*ofFile))};
     // A scan that is registered to a scene shows a part of it: as metres it must not be far larger than the
     // scene, nor both as large and ten times coarser.
-    const Size scene = sizeOf(target);
+    const Size scene = sizeOf(target) * metresPerTarget;
     const Size scan = sizeOf(source);
     UnitGuess guess;
     guess.reason = "The source is " + fixedText(scan.extent, 2) + " units across with a point every " +

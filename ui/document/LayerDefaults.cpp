@@ -55,7 +55,8 @@ std::vector<std::string> recogniseUnits(std::vector<Layer>& layers, const SceneS
         if (layer.unit || !layer.data) continue;
         const std::optional<LengthUnit> ofFile = layer.fileUnit();
         if (&layer == target && !ofFile) continue;
-        const UnitGuess guess = guessUnit(*target->data->geometry, *layer.data->geometry, {}, ofFile);
+        const UnitGuess guess =
+            guessUnit(*target->data->geometry, target->metresPerUnit(), *layer.data->geometry, {}, ofFile);
         if (ofFile) layer.unit = ofFile;
         if (guess.unit == LengthUnit::metre) continue;
         layer.unit = guess.unit;

@@ -106,7 +106,7 @@ UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, do
 std::vector<double> scalesToTry(const TriangleMesh& target, const TriangleMesh& source,
                                 std::optional<LengthUnit> unit, std::vector<std::string>& notes) {
     if (unit) return {metresPer(*unit)};
-    const UnitGuess guess = guessUnit(target, source, {});
+    const UnitGuess guess = guessUnit(target, 1, source, {});
     if (guess.certain) {
         if (guess.unit != LengthUnit::metre) notes.push_back(guess.reason);
         return {metresPer(guess.unit)};
