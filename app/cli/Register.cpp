@@ -9,6 +9,7 @@
 #include "app/cli/Session.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
+#include "core/base/Units.h"
 #include "core/io/FormatRegistry.h"
 #include "core/io/IntoMetres.h"
 #include "core/registration/InitialPose.h"
@@ -38,18 +39,14 @@ struct Start {
     std::optional<FirstPose> found;  ///< by the search
 };
 
-std::optional<LengthUnit> unitOf(const FileInfo& info) {
-    return info.metresPerUnit ? lengthUnitOf(*info.metresPerUnit) : std::nullopt;
-}
-
 /// The unit that --unit names, else the one that pairs, the file or the clouds speak for.
 double scaleOf(const Options& options, const TriangleMesh& target, const LoadedGeometry& source,
                std::span<const PointPair> pairs, std::vector<std::string>& notes) {
     if (const auto unit = lengthUnitFromSymbol(options.unit)) return metresPer(*unit);
-    const UnitGuess guess = guessUnit(target, 1, source.geometry, pairs, unitOf(source.info));
-    if (guess.unit != LengthUnit::metre || !guess.certain)
+    const UnitGuess guess = guessUnit(target, 1, source.geometry, pairs, source.info.metresPerUnit);
+    if (guess.metresPerUnit != 1 || !guess.certain)
         notes.push_back(guess.reason + (guess.certain ? "" : " (not certain: say --unit m or --unit mm)"));
-    return metresPer(guess.unit);
+    return guess.metresPerUnit;
 }
 
 /// `target` in metres; picked pairs have its points in its file's unit, `metresPerTarget` of it.
@@ -58,8 +55,9 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, doub
     Start start;
     if (options.init == "auto") {
         const auto given = lengthUnitFromSymbol(options.unit);
-        Result<FirstPose> found = findFirstPose(target, source.geometry, given ? given : unitOf(source.info),
-                                                options.parameters, control);
+        Result<FirstPose> found =
+            findFirstPose(target, source.geometry, given ? metresPer(*given) : source.info.metresPerUnit,
+                          options.parameters, control);
         if (!found) return fail(found.error());
         start.pose = found->targetFromSource;
         start.error_m = found->error_m;

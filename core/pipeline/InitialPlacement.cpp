@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/base/Numbers.h"
+#include "core/base/UnitWords.h"
 #include "core/registration/InitialPose.h"
+#include "core/scene/LayerUnit.h"
 
 namespace vestige {
 namespace {
@@ -21,22 +23,29 @@ std::string describePairs(const PairAlignment& alignment) {
 }
 
 struct UnitChoice {
-    LengthUnit unit;
+    double metresPerUnit;
     std::vector<std::string> notes;
 };
+
+std::string shortWord(double metresPerUnit) {
+    const auto unit = lengthUnitOf(metresPerUnit);
+    return unit ? std::string(symbol(*unit)) : unitWords(metresPerUnit);
+}
 
 /// The unit the case gives, else the recognised one; a recognised unit that disagrees is told. Of the pairs
 /// the target's points are in metres.
 UnitChoice chooseUnit(const Layer& layer, const Layer& target, std::span<const PointPair> pairs) {
     const UnitGuess guess = guessUnit(*target.data->geometry, target.metresPerUnit(), *layer.data->geometry,
-                                      pairs, layer.fileUnit());
+                                      pairs, fileMetresPerUnit(layer));
     if (!layer.unit)
-        return {guess.unit, {"unit recognised as " + std::string(symbol(guess.unit)) + ": " + guess.reason}};
-    if (guess.certain && guess.unit != *layer.unit)
-        return {*layer.unit,
-                {"the case gives the unit " + std::string(symbol(*layer.unit)) + ", but it looks like " +
-                 std::string(symbol(guess.unit)) + ": " + guess.reason}};
-    return {*layer.unit, {}};
+        return {guess.metresPerUnit,
+                {"unit recognised as " + shortWord(guess.metresPerUnit) + ": " + guess.reason}};
+    const double given = metresPer(*layer.unit);
+    if (guess.certain && guess.metresPerUnit != given)
+        return {given,
+                {"the case gives the unit " + shortWord(given) + ", but it looks like " +
+                 shortWord(guess.metresPerUnit) + ": " + guess.reason}};
+    return {given, {}};
 }
 
 Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, const Layer& target,
@@ -46,7 +55,7 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
     std::vector<PointPair> metric = *pairs;
     for (PointPair& pair : metric) pair.target *= target.metresPerUnit();
     UnitChoice choice = chooseUnit(layer, target, metric);
-    const auto alignment = alignPairs(metric, metresPer(choice.unit));
+    const auto alignment = alignPairs(metric, choice.metresPerUnit);
     if (!alignment) {
         Error error = alignment.error();
         error.place = scene.resolve(init.picks).string();
@@ -63,7 +72,7 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
 Result<InitialPlacement> fromSearch(const SceneState& scene, const Layer& layer, const Layer& target,
                                     const JobControl& control) {
     const Similarity metresFromTarget{Pose::Identity(), target.metresPerUnit()};
-    const std::optional<LengthUnit> unit = layer.unit ? layer.unit : layer.fileUnit();
+    const std::optional<double> unit = layer.unit ? metresPer(*layer.unit) : fileMetresPerUnit(layer);
     auto found =
         metresFromTarget.isIdentity()
             ? findFirstPose(*target.data->geometry, *layer.data->geometry, unit, scene.registration, control)
@@ -86,7 +95,7 @@ Result<InitialPlacement> initialPlacement(const SceneState& scene, const Layer& 
         return InitialPlacement{pose->targetFromSource, kPickReach_m, std::nullopt, {}, {}};
     UnitChoice choice = chooseUnit(layer, target, {});
     return InitialPlacement{
-        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::nullopt, std::move(choice.notes), {}};
+        {Pose::Identity(), choice.metresPerUnit}, std::nullopt, std::nullopt, std::move(choice.notes), {}};
 }
 
 }  // namespace vestige

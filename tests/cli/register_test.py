@@ -217,6 +217,17 @@ class Register(unittest.TestCase):
         done = run("register", target, source, "--unit", "m", "--pose-out", self.pose, "--json")
         self.assertEqual(done.returncode, 4)
 
+    def test_a_unit_that_has_no_name_is_taken_at_its_word_too(self):
+        clarkes_foot = 0.3047972654
+        source = self.folder / "source_clarke.las"
+        write_las(source, self.source_points, clarkes_foot, 9005)
+        for init in ("identity", "auto"):
+            done = cli("register", self.target, source, "--init", init, "--pose-out", self.pose, "--json")
+            told = json.loads(done.stdout)
+            self.assertEqual(told["scale"], clarkes_foot)
+            self.expect_truth(told["pose"], 0.01, 0.1)
+            self.assertIn("units of 0.3047972654 m", done.stderr)
+
     def test_a_wrong_command_line_is_2(self):
         cli("register", self.target, self.source, code=2)
         for wrong in (["--method", "guess"], ["--voxel", "0"], ["--unit", "yd"], ["--aligned", self.folder / "a.bmp"],
