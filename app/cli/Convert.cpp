@@ -22,8 +22,9 @@ int runConvert(Session& session, const Options& options) {
     // A target that cannot be written is a wrong command line, found before the long reading.
     const Result<const FileFormat*> target = formatForWriting(options.out);
     if (!target) return session.failed(target.error());
+    const LoadedFor use = (*target)->writesMetres() ? LoadedFor::metres : LoadedFor::command;
     Result<LoadedGeometry> loaded =
-        readPart(options.in, options.part, ReadOptions::Attributes::all, session.control().sub(0, 0.6));
+        readPart(options.in, options.part, ReadOptions::Attributes::all, use, session.control().sub(0, 0.6));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);

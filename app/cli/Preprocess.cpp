@@ -30,8 +30,8 @@ int runPreprocess(Session& session, const Options& options) {
     const Result<const FileFormat*> target = formatForWriting(options.out);
     if (!target) return session.failed(target.error());
     const JobControl& control = session.control();
-    Result<LoadedGeometry> loaded =
-        readPart(options.in, options.part, ReadOptions::Attributes::all, control.sub(0, 0.3));
+    Result<LoadedGeometry> loaded = readPart(options.in, options.part, ReadOptions::Attributes::all,
+                                             LoadedFor::command, control.sub(0, 0.3));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);

@@ -142,19 +142,19 @@ int runRegister(Session& session, const Options& options) {
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    Result<LoadedGeometry> target =
-        readPart(options.target, options.part, ReadOptions::Attributes::drawn, control.sub(0, 0.2));
+    Result<LoadedGeometry> target = readPart(options.target, options.part, ReadOptions::Attributes::drawn,
+                                             LoadedFor::metres, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
     const double metresPerTarget = target->info.metresPerUnit.value_or(1);
     if (metresPerTarget != 1) {
-        target->geometry = target->geometry.transformed({Pose::Identity(), metresPerTarget});
+        target->geometry = std::move(target->geometry).transformed({Pose::Identity(), metresPerTarget});
         session.log(options.target + " has " + exactText(metresPerTarget) +
                     " m a unit, as it says; the pose leads into its frame in metres");
     }
     Result<LoadedGeometry> source =
         readPart(options.source, {options.part.every, std::nullopt, options.part.salvage},
                  options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
-                 control.sub(0.2, 0.4));
+                 options.aligned.empty() ? LoadedFor::command : LoadedFor::moving, control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
     for (const LoadedGeometry* loaded : std::initializer_list<const LoadedGeometry*>{&*target, &*source})
         if (!loaded->info.damage.empty())

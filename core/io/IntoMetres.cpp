@@ -1,5 +1,7 @@
 #include "core/io/IntoMetres.h"
 
+#include <utility>
+
 namespace vestige {
 namespace {
 
@@ -31,7 +33,7 @@ void moveIntoMetres(FileInfo& info, const Similarity& metresFromFile) {
 }
 
 void moveIntoMetres(LoadedGeometry& loaded, const Similarity& metresFromFile) {
-    loaded.geometry = loaded.geometry.transformed(metresFromFile);
+    loaded.geometry = std::move(loaded.geometry).transformed(metresFromFile);
     moveIntoMetres(loaded.info, metresFromFile);
 }
 

@@ -73,11 +73,15 @@ Result<InitialPlacement> fromSearch(const SceneState& scene, const Layer& layer,
                                     const JobControl& control) {
     const Similarity metresFromTarget{Pose::Identity(), target.metresPerUnit()};
     const std::optional<double> unit = layer.unit ? metresPer(*layer.unit) : fileMetresPerUnit(layer);
-    auto found =
-        metresFromTarget.isIdentity()
-            ? findFirstPose(*target.data->geometry, *layer.data->geometry, unit, scene.registration, control)
-            : findFirstPose(target.data->geometry->transformed(metresFromTarget), *layer.data->geometry, unit,
-                            scene.registration, control);
+    const auto searchIn = [&](const TriangleMesh& inMetres) {
+        return findFirstPose(inMetres, *layer.data->geometry, unit, scene.registration, control);
+    };
+    const TriangleMesh& geometry = *target.data->geometry;
+    // A search asks for no attributes, so that none are copied.
+    auto found = metresFromTarget.isIdentity()
+                     ? searchIn(geometry)
+                     : searchIn({geometry.vertices.withAttributes({}).transformed(metresFromTarget),
+                                 geometry.triangles});
     if (!found) return fail(found.error());
     InitialPlacement placement{found->targetFromSource, kPickReach_m, found->error_m, {}, {}};
     placement.found = std::move(*found);

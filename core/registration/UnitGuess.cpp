@@ -35,6 +35,9 @@ UnitGuess guessFromPairs(std::span<const PointPair> pairs) {
     return guess;
 }
 
+/// Spread over the cloud's order; far more than there are cells of a surface.
+constexpr std::size_t kSamples = 1'000'000;
+
 struct Size {
     double extent = 0;   // diagonal of the bounds
     double spacing = 0;  // of points on the surface
@@ -46,9 +49,10 @@ Size sizeOf(const TriangleMesh& geometry) {
     const PointCloud& cloud = geometry.vertices;
     Size size{cloud.bounds().diagonal(), 0};
     if (!(size.extent > 0)) return size;
-    std::vector<Eigen::Vector3f> offsets(cloud.size());
+    std::vector<Eigen::Vector3f> offsets(std::min(cloud.size(), kSamples));
     const Eigen::Vector3d centre = cloud.bounds().centre();
-    for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = (cloud.point(i) - centre).cast<float>();
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        offsets[i] = (cloud.point(i * cloud.size() / offsets.size()) - centre).cast<float>();
     const double cell = size.extent / 64;
     const double area = cell * cell * static_cast<double>(gatherPoints(offsets, VoxelGrid(cell)).size());
     size.spacing = std::sqrt(area / static_cast<double>(cloud.size()));

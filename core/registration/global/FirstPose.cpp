@@ -33,9 +33,11 @@ constexpr std::size_t kOwnPoints = 200000;
 constexpr double kLocal = 0.25;
 constexpr double kErrorPerVoxel = 0.25;
 
-PointCloud pointsOf(const TriangleMesh& geometry) {
+/// The cloud itself; points off a mesh, which `sampled` holds.
+const PointCloud& pointsOf(const TriangleMesh& geometry, PointCloud& sampled) {
     if (!geometry.isMesh()) return geometry.vertices;
-    return sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
+    sampled = sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
+    return sampled;
 }
 
 struct Candidate {
@@ -170,8 +172,10 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
                                 std::optional<double> metresPerUnit, const ParameterSet& parameters,
                                 const JobControl& control) {
     return guarded("search for a first pose", [&]() -> Result<FirstPose> {
-        const PointCloud there = pointsOf(target);
-        const PointCloud here = pointsOf(source);
+        PointCloud offTarget;
+        PointCloud offSource;
+        const PointCloud& there = pointsOf(target, offTarget);
+        const PointCloud& here = pointsOf(source, offSource);
         if (there.empty() || here.empty())
             return fail(ErrorCode::untrustworthy,
                         there.empty() ? "the target is empty" : "the source is empty");

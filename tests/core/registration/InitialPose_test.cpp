@@ -1,6 +1,7 @@
 #include "core/registration/InitialPose.h"
 
 #include <gtest/gtest.h>
+#include <fstream>
 
 #include "core/base/AtomicFile.h"
 #include "core/base/Random.h"
@@ -155,6 +156,32 @@ TEST(GuessUnit, FromPairsFromSizeAndFromSpacing) {
     // Another flight over the same place, and a part of it.
     EXPECT_EQ(guessUnit(wall(100, 0.5), 1, wall(120, 0.7), {}).metresPerUnit, 1);
     EXPECT_EQ(guessUnit(wall(100, 0.5), 1, wall(3, 0.05), {}).metresPerUnit, 1);
+}
+
+/// Of this process, bytes.
+long memoryPeak() {
+    std::ifstream status("/proc/self/status");
+    long kibibytes = 0;
+    for (std::string word; status >> word;)
+        if (word == "VmHWM:") status >> kibibytes;
+    return 1024 * kibibytes;
+}
+
+TEST(GuessUnit, LooksAtLargeCloudsWithoutCopyingThem) {
+    constexpr long kPoints = 6'000'000;
+    PointCloudBuilder builder;
+    builder.reserve(kPoints);
+    for (long i = 0; i < kPoints; ++i)
+        builder.add({static_cast<double>(i % 3000) / 30, static_cast<double>(i / 3000) / 30, 0});
+    const TriangleMesh scene{std::move(builder).build(), {}};
+    const TriangleMesh scan = wall(2000, 10);
+    // The peak counts anew from here.
+    std::ofstream("/proc/self/clear_refs") << 5;
+    const long before = memoryPeak();
+    const UnitGuess guess = guessUnit(scene, 1, scan, {});
+    EXPECT_LT(memoryPeak() - before, 12 * kPoints);
+    EXPECT_EQ(guess.metresPerUnit, 0.001);
+    EXPECT_NE(guess.reason.find("with a point every 0.03"), std::string::npos) << guess.reason;
 }
 
 TEST(GuessUnit, ComparesWithATargetOfAnyUnitInMetres) {
