@@ -4,7 +4,7 @@
 
 #include "app/cli/FilePart.h"
 #include "app/cli/Session.h"
-#include "core/base/Numbers.h"
+#include "app/cli/WrittenUnit.h"
 #include "core/io/FormatRegistry.h"
 
 namespace vestige::cli {
@@ -18,38 +18,22 @@ struct Options {
     std::vector<double> offset;
 };
 
-/// In the unit that the target's format fixes, and on the grid that was asked for; else as in the source.
-void prepare(const Session& session, const Options& options, const FileFormat& target,
-             LoadedGeometry& loaded) {
-    FileInfo& info = loaded.info;
-    const double metres = info.metresPerUnit.value_or(1);
-    if (target.writesMetres() && metres != 1) {
-        loaded.geometry = loaded.geometry.transformed({Pose::Identity(), metres});
-        session.log(options.in + " has " + exactText(metres) + " m a unit, as it says; " + options.out +
-                    " holds metres");
-        if (info.scale) *info.scale *= metres;
-        if (info.offset) *info.offset *= metres;
-        info.metresPerUnit = 1;
-        // They describe coordinates in the source's unit.
-        info.crs.clear();
-        info.crsRecords.clear();
-    }
-    if (options.scale) info.scale = Eigen::Vector3d::Constant(*options.scale);
-    if (options.offset.size() == 3) info.offset = Eigen::Vector3d(options.offset.data());
-}
-
 int runConvert(Session& session, const Options& options) {
     // A target that cannot be written is a wrong command line, found before the long reading.
     const Result<const FileFormat*> target = formatForWriting(options.out);
     if (!target) return session.failed(target.error());
+    const LoadedFor use = (*target)->writesMetres() ? LoadedFor::metres : LoadedFor::command;
     Result<LoadedGeometry> loaded =
-        readPart(options.in, options.part, ReadOptions::Attributes::all, session.control().sub(0, 0.6));
+        readPart(options.in, options.part, ReadOptions::Attributes::all, use, session.control().sub(0, 0.6));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
-    prepare(session, options, **target, *loaded);
+    FileInfo& info = loaded->info;
+    putIntoUnitOf(**target, options.out, options.in, {info.metresPerUnit.value_or(1)}, *loaded, session);
+    if (options.scale) info.scale = Eigen::Vector3d::Constant(*options.scale);
+    if (options.offset.size() == 3) info.offset = Eigen::Vector3d(options.offset.data());
     const Status written =
-        writeGeometry(options.out, loaded->geometry, {&loaded->info}, session.control().sub(0.6, 1));
+        writeGeometry(options.out, loaded->geometry, {&info}, session.control().sub(0.6, 1));
     if (!written) return session.failed(written.error());
     session.control().progress(1, "writing");
     session.print(

@@ -64,9 +64,10 @@ void addPartOptions(CLI::App& command, FilePart& part, const std::string& boxed)
 }
 
 Result<LoadedGeometry> readPart(const std::filesystem::path& file, const FilePart& part,
-                                ReadOptions::Attributes attributes, const JobControl& control) {
+                                ReadOptions::Attributes attributes, LoadedFor use,
+                                const JobControl& control) {
     const ReadOptions options = part.options(attributes);
-    const auto check = checkLoad(file, options, false);
+    const auto check = checkLoad(file, options, use);
     if (!check) return fail(check.error());
     if (!check->estimate.fits())
         return fail(tooLarge(file, check->estimate, commandLineOffer(check->estimate)));

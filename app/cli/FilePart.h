@@ -7,6 +7,7 @@
 
 #include "core/base/JobControl.h"
 #include "core/io/FileFormat.h"
+#include "core/io/LoadEstimate.h"
 
 namespace vestige::cli {
 
@@ -23,8 +24,8 @@ struct FilePart {
 /// Declares --salvage, --every, and --box of the input named; `part` must live as long as the command.
 void addPartOptions(CLI::App& command, FilePart& part, const std::string& boxed = "the input");
 
-/// Reads a part of a file, if there is memory for it: else ErrorCode::input with what would fit.
+/// Reads a part of a file, if there is memory for it and its use: else ErrorCode::input with what would fit.
 Result<LoadedGeometry> readPart(const std::filesystem::path& file, const FilePart& part,
-                                ReadOptions::Attributes attributes, const JobControl& control);
+                                ReadOptions::Attributes attributes, LoadedFor use, const JobControl& control);
 
 }  // namespace vestige::cli

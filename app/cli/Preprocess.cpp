@@ -8,6 +8,7 @@
 #include "app/cli/FilePart.h"
 #include "app/cli/ParameterJson.h"
 #include "app/cli/Session.h"
+#include "app/cli/WrittenUnit.h"
 #include "core/base/Numbers.h"
 #include "core/base/Units.h"
 #include "core/io/FormatRegistry.h"
@@ -26,11 +27,11 @@ struct Options {
 int runPreprocess(Session& session, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     // A target that cannot be written is a wrong command line, found before the long reading.
-    if (const Result<const FileFormat*> target = formatForWriting(options.out); !target)
-        return session.failed(target.error());
+    const Result<const FileFormat*> target = formatForWriting(options.out);
+    if (!target) return session.failed(target.error());
     const JobControl& control = session.control();
-    const Result<LoadedGeometry> loaded =
-        readPart(options.in, options.part, ReadOptions::Attributes::all, control.sub(0, 0.3));
+    Result<LoadedGeometry> loaded = readPart(options.in, options.part, ReadOptions::Attributes::all,
+                                             LoadedFor::command, control.sub(0, 0.3));
     if (!loaded) return session.failed(loaded.error());
     for (const std::string& warning : loaded->info.warnings)
         session.log("warning: " + options.in + ": " + warning);
@@ -47,8 +48,9 @@ int runPreprocess(Session& session, const Options& options) {
     auto result = preprocess(cloud, chosen, metresPerUnit, control.sub(0.3, 0.8));
     if (!result) return session.failed(result.error());
     const std::size_t outputPoints = result->size();
-    const Status written =
-        writeGeometry(options.out, {std::move(*result), {}}, {&loaded->info}, control.sub(0.8, 1));
+    LoadedGeometry made{{std::move(*result), {}}, std::move(loaded->info)};
+    putIntoUnitOf(**target, options.out, options.in, {metresPerUnit, given.has_value()}, made, session);
+    const Status written = writeGeometry(options.out, made.geometry, {&made.info}, control.sub(0.8, 1));
     if (!written) return session.failed(written.error());
     control.progress(1, "writing");
 
@@ -61,7 +63,7 @@ int runPreprocess(Session& session, const Options& options) {
                        {"unit", unit},
                        {"parameters", parametersJson(chosen)},
                        {"seconds", elapsed.count()},
-                       {"warnings", loaded->info.warnings}});
+                       {"warnings", made.info.warnings}});
     return 0;
 }
 
@@ -72,9 +74,11 @@ Run declarePreprocess(CLI::App& command) {
     command.add_option("IN", options->in, "Cloud to read; of a mesh, its vertices are taken")->required();
     command.add_option("OUT", options->out, "File to write; its extension names the format")->required();
     command
-        .add_option("--unit", options->unit,
-                    "Unit of the coordinates in IN and OUT: " + lengthUnitSymbols() +
-                        " or auto (what IN says, else m); all other lengths are metres. Default: auto.")
+        .add_option(
+            "--unit", options->unit,
+            "Unit of the coordinates in IN, and in OUT where its format does not fix metres (E57, glTF): " +
+                lengthUnitSymbols() +
+                " or auto (what IN says, else m); all other lengths are metres. Default: auto.")
         ->check([](const std::string& text) {
             return text == "auto" || lengthUnitFromSymbol(text)
                        ? std::string()

@@ -9,7 +9,9 @@
 #include "app/cli/Session.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
+#include "core/base/Units.h"
 #include "core/io/FormatRegistry.h"
+#include "core/io/IntoMetres.h"
 #include "core/registration/InitialPose.h"
 #include "core/registration/RegistrationJson.h"
 #include "core/registration/global/FirstPose.h"
@@ -37,18 +39,14 @@ struct Start {
     std::optional<FirstPose> found;  ///< by the search
 };
 
-std::optional<LengthUnit> unitOf(const FileInfo& info) {
-    return info.metresPerUnit ? lengthUnitOf(*info.metresPerUnit) : std::nullopt;
-}
-
 /// The unit that --unit names, else the one that pairs, the file or the clouds speak for.
 double scaleOf(const Options& options, const TriangleMesh& target, const LoadedGeometry& source,
                std::span<const PointPair> pairs, std::vector<std::string>& notes) {
     if (const auto unit = lengthUnitFromSymbol(options.unit)) return metresPer(*unit);
-    const UnitGuess guess = guessUnit(target, source.geometry, pairs, unitOf(source.info));
-    if (guess.unit != LengthUnit::metre || !guess.certain)
+    const UnitGuess guess = guessUnit(target, 1, source.geometry, pairs, source.info.metresPerUnit);
+    if (guess.metresPerUnit != 1 || !guess.certain)
         notes.push_back(guess.reason + (guess.certain ? "" : " (not certain: say --unit m or --unit mm)"));
-    return metresPer(guess.unit);
+    return guess.metresPerUnit;
 }
 
 /// `target` in metres; picked pairs have its points in its file's unit, `metresPerTarget` of it.
@@ -57,8 +55,9 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, doub
     Start start;
     if (options.init == "auto") {
         const auto given = lengthUnitFromSymbol(options.unit);
-        Result<FirstPose> found = findFirstPose(target, source.geometry, given ? given : unitOf(source.info),
-                                                options.parameters, control);
+        Result<FirstPose> found =
+            findFirstPose(target, source.geometry, given ? metresPer(*given) : source.info.metresPerUnit,
+                          options.parameters, control);
         if (!found) return fail(found.error());
         start.pose = found->targetFromSource;
         start.error_m = found->error_m;
@@ -96,7 +95,7 @@ Result<Start> startFrom(const Options& options, const TriangleMesh& target, doub
 }
 
 /// All outputs or none.
-Status writeOutputs(const Options& options, const FileInfo& target, const LoadedGeometry& source,
+Status writeOutputs(const Options& options, const FileInfo& target, LoadedGeometry source,
                     const Similarity& pose, const JobControl& control) {
     AtomicFile poseFile(options.poseOut);
     if (const Status opened = poseFile.open(); !opened) return opened;
@@ -104,18 +103,12 @@ Status writeOutputs(const Options& options, const FileInfo& target, const Loaded
     if (options.aligned.empty()) return poseFile.commit();
     AtomicFile aligned(options.aligned);
     if (const Status opened = aligned.open(); !opened) return opened;
-    // The points are in the target's frame now, in metres.
-    FileInfo info = source.info;
-    const bool metric = target.metresPerUnit.value_or(1) == 1;
-    info.crs = metric ? target.crs : std::string();
-    info.crsRecords = metric ? target.crsRecords : std::vector<CrsRecord>();
-    info.metresPerUnit = 1;
-    if (info.scale && pose.scale != 1) {
-        *info.scale *= pose.scale;
-        info.offset.reset();
+    moveIntoMetres(source, pose);
+    if (target.metresPerUnit.value_or(1) == 1) {
+        source.info.crs = target.crs;
+        source.info.crsRecords = target.crsRecords;
     }
-    Status written =
-        writeGeometry(aligned.temporaryPath(), source.geometry.transformed(pose), {&info}, control);
+    Status written = writeGeometry(aligned.temporaryPath(), source.geometry, {&source.info}, control);
     if (!written && written.error().place == aligned.temporaryPath()) written.error().place = options.aligned;
     if (!written) return written;
     return AtomicFile::commit({&poseFile, &aligned});
@@ -149,19 +142,19 @@ int runRegister(Session& session, const Options& options) {
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());
     const JobControl& control = session.control();
-    Result<LoadedGeometry> target =
-        readPart(options.target, options.part, ReadOptions::Attributes::drawn, control.sub(0, 0.2));
+    Result<LoadedGeometry> target = readPart(options.target, options.part, ReadOptions::Attributes::drawn,
+                                             LoadedFor::metres, control.sub(0, 0.2));
     if (!target) return session.failed(target.error());
     const double metresPerTarget = target->info.metresPerUnit.value_or(1);
     if (metresPerTarget != 1) {
-        target->geometry = target->geometry.transformed({Pose::Identity(), metresPerTarget});
+        target->geometry = std::move(target->geometry).transformed({Pose::Identity(), metresPerTarget});
         session.log(options.target + " has " + exactText(metresPerTarget) +
                     " m a unit, as it says; the pose leads into its frame in metres");
     }
-    const Result<LoadedGeometry> source =
+    Result<LoadedGeometry> source =
         readPart(options.source, {options.part.every, std::nullopt, options.part.salvage},
                  options.aligned.empty() ? ReadOptions::Attributes::drawn : ReadOptions::Attributes::all,
-                 control.sub(0.2, 0.4));
+                 options.aligned.empty() ? LoadedFor::command : LoadedFor::moving, control.sub(0.2, 0.4));
     if (!source) return session.failed(source.error());
     for (const LoadedGeometry* loaded : std::initializer_list<const LoadedGeometry*>{&*target, &*source})
         if (!loaded->info.damage.empty())
@@ -187,8 +180,8 @@ int runRegister(Session& session, const Options& options) {
                     "first pose (--init)"};
         return session.failed(error);
     }
-    const Status written =
-        writeOutputs(options, target->info, *source, result->targetFromSource, control.sub(0.95, 1));
+    const Status written = writeOutputs(options, target->info, std::move(*source), result->targetFromSource,
+                                        control.sub(0.95, 1));
     if (!written) return session.failed(written.error());
     control.progress(1, "registration");
     report(session, options, *result);

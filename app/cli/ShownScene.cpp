@@ -12,6 +12,7 @@
 #include "core/pipeline/TargetDistances.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "core/scene/LayerUnit.h"
 #include "core/scene/MeasuredScene.h"
 #include "core/scene/PickFrame.h"
 
@@ -79,7 +80,7 @@ Status registerWhatLacks(SceneState& scene, bool must, const Session& session, c
         }
         Layer& layer = *scene.layer(one.id);
         for (const std::string& note : one.result->notes) session.log(layer.id + ": " + note);
-        if (!layer.unit) layer.unit = nearestLengthUnit(one.result->targetFromSource.scale);
+        noteUnit(layer, one.result->targetFromSource.scale);
         setRegistration(one.id, std::move(*one.result))->apply(scene);
     }
     return {};

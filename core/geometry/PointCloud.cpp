@@ -1,5 +1,6 @@
 #include "core/geometry/PointCloud.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/Parallel.h"
@@ -92,20 +93,37 @@ PointCloud PointCloud::select(std::span<const std::uint32_t> indices) const {
     return chosen;
 }
 
-PointCloud PointCloud::transformed(const Similarity& toFromHere) const {
-    if (toFromHere.isIdentity()) return *this;
-    PointCloudBuilder builder(toFromHere * origin_);
-    builder.resize(size());
-    PointAttributes attributes = attributes_;
+PointCloud PointCloud::transformed(const Similarity& toFromHere) const& {
+    return PointCloud(*this).transformed(toFromHere);
+}
+
+PointCloud PointCloud::transformed(const Similarity& toFromHere) && {
+    if (toFromHere.isIdentity()) return std::move(*this);
+    const Eigen::Vector3d origin = toFromHere * origin_;
+    const BoundingBox box = bounds_.transformed(toFromHere);
+    // As PointCloudBuilder has it. The box is no smaller than the points; it may be off by its rounding.
+    const double reach =
+        empty() ? 0 : (box.min - origin).cwiseAbs().cwiseMax((box.max - origin).cwiseAbs()).maxCoeff();
+    const bool mayBeFar = !(reach < 0.999 * static_cast<double>(PointCloudBuilder::kExactRange));
+    if (mayBeFar && residuals_.empty()) residuals_.resize(size(), Eigen::Vector3f::Zero());
     const Eigen::Matrix3f rotation = toFromHere.pose.linear().cast<float>();
     parallelFor(size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            builder.setPoint(i, toFromHere * point(i));
-            if (!attributes.normal.empty()) attributes.normal[i] = rotation * attributes.normal[i];
+            const Eigen::Vector3d offset = toFromHere * point(i) - origin;
+            offsets_[i] = offset.cast<float>();
+            if (!residuals_.empty()) residuals_[i] = (offset - offsets_[i].cast<double>()).cast<float>();
+            if (!attributes_.normal.empty()) attributes_.normal[i] = rotation * attributes_.normal[i];
         }
     });
-    builder.attributes() = std::move(attributes);
-    return std::move(builder).build();
+    const bool far = mayBeFar && std::any_of(offsets_.begin(), offsets_.end(), [](const auto& offset) {
+                         return offset.cwiseAbs().maxCoeff() > PointCloudBuilder::kExactRange;
+                     });
+    if (!far) residuals_ = {};
+    origin_ = origin;
+    grid_.reset();
+    bounds_ = {};
+    findBounds();
+    return std::move(*this);
 }
 
 void PointCloud::keepDrawnAttributes() {
@@ -117,7 +135,12 @@ void PointCloud::keepDrawnAttributes() {
 }
 
 PointCloud PointCloud::withAttributes(PointAttributes attributes) const {
-    PointCloud cloud = *this;
+    PointCloud cloud;
+    cloud.origin_ = origin_;
+    cloud.offsets_ = offsets_;
+    cloud.residuals_ = residuals_;
+    cloud.grid_ = grid_;
+    cloud.bounds_ = bounds_;
     cloud.attributes_ = std::move(attributes);
     return cloud;
 }

@@ -73,8 +73,10 @@ class PointCloud {
 
     /// The points `indices` in their order, with their attributes and the same origin.
     PointCloud select(std::span<const std::uint32_t> indices) const;
-    /// Every point (and normal) moved; the origin moves along in double.
-    PointCloud transformed(const Similarity& toFromHere) const;
+    /// Every point (and normal) moved; the origin moves along in double. A cloud that is given away is moved
+    /// in place: beside it there are at most the residuals that it lacks (12 bytes a point).
+    PointCloud transformed(const Similarity& toFromHere) const&;
+    PointCloud transformed(const Similarity& toFromHere) &&;
     /// The same points with other attributes.
     PointCloud withAttributes(PointAttributes attributes) const;
     /// Without class, time, source and returns (ReadOptions::Attributes::drawn); in place.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/PointCloud.h"
@@ -17,8 +18,11 @@ struct TriangleMesh {
     std::vector<Triangle> triangles;
 
     bool isMesh() const { return !triangles.empty(); }
-    TriangleMesh transformed(const Similarity& toFromHere) const {
+    TriangleMesh transformed(const Similarity& toFromHere) const& {
         return {vertices.transformed(toFromHere), triangles};
+    }
+    TriangleMesh transformed(const Similarity& toFromHere) && {
+        return {std::move(vertices).transformed(toFromHere), std::move(triangles)};
     }
 };
 

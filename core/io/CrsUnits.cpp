@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/base/Numbers.h"
+#include "core/base/UnitWords.h"
 #include "core/base/Units.h"
 #include "core/io/Bytes.h"
 #include "core/io/WktTree.h"
@@ -126,11 +127,6 @@ std::span<const std::uint8_t> contentOf(const std::vector<CrsRecord>& records, s
     for (const CrsRecord& record : records)
         if (record.recordId == id) return record.bytes;
     return {};
-}
-
-std::string unitWords(double metres) {
-    const auto unit = lengthUnitOf(metres);
-    return unit ? std::string(nameOf(*unit)) : "units of " + exactText(metres) + " m";
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint64_t kDrawnBytes = 20;
 constexpr std::uint64_t kOtherAttributesBytes = 13;
 constexpr std::uint64_t kIndexPeakBytes = 22;
+/// Residuals, where there were none.
+constexpr std::uint64_t kMovedBytes = 12;
 constexpr std::uint64_t kTriangleBytes = 12;
 /// Left to the rest of the machine.
 constexpr double kShareToUse = 0.85;
@@ -49,11 +51,14 @@ std::string LoadEstimate::sentence() const {
            " are free";
 }
 
-LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options, bool indexed) {
+LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options, LoadedFor use) {
     LoadEstimate estimate;
     const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
     estimate.points = peeked.points / every + (peeked.points % every == 0 ? 0 : 1);
-    std::uint64_t perPoint = kDrawnBytes + (indexed ? kIndexPeakBytes : 0);
+    std::uint64_t perPoint = kDrawnBytes;
+    if (use == LoadedFor::scene) perPoint += kIndexPeakBytes;
+    if (use == LoadedFor::moving || (use == LoadedFor::metres && peeked.metresPerUnit.value_or(1) != 1))
+        perPoint += kMovedBytes;
     if (options.attributes == ReadOptions::Attributes::all) perPoint += kOtherAttributesBytes;
     // In double: a header may promise anything.
     const auto bytesOf = [](std::uint64_t count, std::uint64_t each) {

@@ -21,8 +21,17 @@ struct LoadEstimate {
     std::string sentence() const;
 };
 
-/// `peeked` is what peekFile() told; `indexed`: an octree is made of the points.
-LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options, bool indexed = true);
+/// What is done with the points, as far as it takes memory beside them.
+enum class LoadedFor {
+    scene,    ///< an octree is made of them
+    command,  ///< nothing
+    metres,   ///< they are scaled where their file is in another unit (PointCloud::transformed() in place)
+    moving    ///< they are moved, too
+};
+
+/// `peeked` is what peekFile() told.
+LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options,
+                          LoadedFor use = LoadedFor::scene);
 
 /// Bytes that this process may still take: the kernel's MemAvailable, or what the container's limit leaves.
 std::uint64_t availableMemory();

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/base/Numbers.h"
+#include "core/base/UnitWords.h"
 #include "core/registration/InitialPose.h"
+#include "core/scene/LayerUnit.h"
 
 namespace vestige {
 namespace {
@@ -21,20 +23,29 @@ std::string describePairs(const PairAlignment& alignment) {
 }
 
 struct UnitChoice {
-    LengthUnit unit;
+    double metresPerUnit;
     std::vector<std::string> notes;
 };
 
-/// The unit the case gives, else the recognised one; a recognised unit that disagrees is told.
+std::string shortWord(double metresPerUnit) {
+    const auto unit = lengthUnitOf(metresPerUnit);
+    return unit ? std::string(symbol(*unit)) : unitWords(metresPerUnit);
+}
+
+/// The unit the case gives, else the recognised one; a recognised unit that disagrees is told. Of the pairs
+/// the target's points are in metres.
 UnitChoice chooseUnit(const Layer& layer, const Layer& target, std::span<const PointPair> pairs) {
-    const UnitGuess guess = guessUnit(*target.data->geometry, *layer.data->geometry, pairs, layer.fileUnit());
+    const UnitGuess guess = guessUnit(*target.data->geometry, target.metresPerUnit(), *layer.data->geometry,
+                                      pairs, fileMetresPerUnit(layer));
     if (!layer.unit)
-        return {guess.unit, {"unit recognised as " + std::string(symbol(guess.unit)) + ": " + guess.reason}};
-    if (guess.certain && guess.unit != *layer.unit)
-        return {*layer.unit,
-                {"the case gives the unit " + std::string(symbol(*layer.unit)) + ", but it looks like " +
-                 std::string(symbol(guess.unit)) + ": " + guess.reason}};
-    return {*layer.unit, {}};
+        return {guess.metresPerUnit,
+                {"unit recognised as " + shortWord(guess.metresPerUnit) + ": " + guess.reason}};
+    const double given = metresPer(*layer.unit);
+    if (guess.certain && guess.metresPerUnit != given)
+        return {given,
+                {"the case gives the unit " + shortWord(given) + ", but it looks like " +
+                 shortWord(guess.metresPerUnit) + ": " + guess.reason}};
+    return {given, {}};
 }
 
 Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, const Layer& target,
@@ -44,7 +55,7 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
     std::vector<PointPair> metric = *pairs;
     for (PointPair& pair : metric) pair.target *= target.metresPerUnit();
     UnitChoice choice = chooseUnit(layer, target, metric);
-    const auto alignment = alignPairs(metric, metresPer(choice.unit));
+    const auto alignment = alignPairs(metric, choice.metresPerUnit);
     if (!alignment) {
         Error error = alignment.error();
         error.place = scene.resolve(init.picks).string();
@@ -61,12 +72,16 @@ Result<InitialPlacement> fromPicks(const SceneState& scene, const Layer& layer, 
 Result<InitialPlacement> fromSearch(const SceneState& scene, const Layer& layer, const Layer& target,
                                     const JobControl& control) {
     const Similarity metresFromTarget{Pose::Identity(), target.metresPerUnit()};
-    const std::optional<LengthUnit> unit = layer.unit ? layer.unit : layer.fileUnit();
-    auto found =
-        metresFromTarget.isIdentity()
-            ? findFirstPose(*target.data->geometry, *layer.data->geometry, unit, scene.registration, control)
-            : findFirstPose(target.data->geometry->transformed(metresFromTarget), *layer.data->geometry, unit,
-                            scene.registration, control);
+    const std::optional<double> unit = layer.unit ? metresPer(*layer.unit) : fileMetresPerUnit(layer);
+    const auto searchIn = [&](const TriangleMesh& inMetres) {
+        return findFirstPose(inMetres, *layer.data->geometry, unit, scene.registration, control);
+    };
+    const TriangleMesh& geometry = *target.data->geometry;
+    // A search asks for no attributes, so that none are copied.
+    auto found = metresFromTarget.isIdentity()
+                     ? searchIn(geometry)
+                     : searchIn({geometry.vertices.withAttributes({}).transformed(metresFromTarget),
+                                 geometry.triangles});
     if (!found) return fail(found.error());
     InitialPlacement placement{found->targetFromSource, kPickReach_m, found->error_m, {}, {}};
     placement.found = std::move(*found);
@@ -84,7 +99,7 @@ Result<InitialPlacement> initialPlacement(const SceneState& scene, const Layer& 
         return InitialPlacement{pose->targetFromSource, kPickReach_m, std::nullopt, {}, {}};
     UnitChoice choice = chooseUnit(layer, target, {});
     return InitialPlacement{
-        {Pose::Identity(), metresPer(choice.unit)}, std::nullopt, std::nullopt, std::move(choice.notes), {}};
+        {Pose::Identity(), choice.metresPerUnit}, std::nullopt, std::nullopt, std::move(choice.notes), {}};
 }
 
 }  // namespace vestige

@@ -68,7 +68,7 @@ ReadOptions readOptionsOf(const Layer& layer) {
     return options;
 }
 
-Result<LoadCheck> checkLoad(const std::filesystem::path& file, const ReadOptions& options, bool indexed,
+Result<LoadCheck> checkLoad(const std::filesystem::path& file, const ReadOptions& options, LoadedFor use,
                             const JobControl& control) {
     auto peeked = peekFile(file, control);
     if (!peeked) return fail(peeked.error());
@@ -76,7 +76,7 @@ Result<LoadCheck> checkLoad(const std::filesystem::path& file, const ReadOptions
     if (options.box && !asked.bounds.empty())
         asked.points = static_cast<std::uint64_t>(static_cast<double>(asked.points) *
                                                   coveredShare(asked.bounds, *options.box));
-    return LoadCheck{std::move(*peeked), estimateLoad(asked, options, indexed)};
+    return LoadCheck{std::move(*peeked), estimateLoad(asked, options, use)};
 }
 
 Error tooLarge(const std::filesystem::path& file, const LoadEstimate& estimate, const std::string& offer) {

@@ -21,9 +21,9 @@ struct LoadCheck {
     LoadEstimate estimate;
 };
 /// Fails only where the file cannot be looked into; whether it fits is in the estimate. Of a box, the share
-/// of the file's ground plan is taken. `indexed`: an octree will be made of it.
+/// of the file's ground plan is taken.
 Result<LoadCheck> checkLoad(const std::filesystem::path& file, const ReadOptions& options,
-                            bool indexed = true, const JobControl& control = {});
+                            LoadedFor use = LoadedFor::scene, const JobControl& control = {});
 /// What refuses a file that does not fit, with what can be done: ErrorCode::input. `offer` says how.
 Error tooLarge(const std::filesystem::path& file, const LoadEstimate& estimate, const std::string& offer);
 /// The offer on a command line: "--every 4 loads every 4th point, --box ... a part".

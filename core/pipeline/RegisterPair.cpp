@@ -57,7 +57,7 @@ Result<TriangleMesh> preparedTarget(const SceneState& scene, const Layer& target
         parameters.setNearest("voxel_m", finest);
     auto clean = preprocess(*near, parameters, unit, control);
     if (!clean) return fail(clean.error());
-    return TriangleMesh{unit == 1 ? std::move(*clean) : clean->transformed(metresFromTarget), {}};
+    return TriangleMesh{unit == 1 ? std::move(*clean) : std::move(*clean).transformed(metresFromTarget), {}};
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/Result.h"
-#include "core/base/Units.h"
 #include "core/geometry/TriangleMesh.h"
 
 namespace vestige {
@@ -44,14 +43,16 @@ Status writePoseFile(const std::filesystem::path& file, const Similarity& target
 
 /// What unit a scan's coordinates are in, with a sentence for the user that says why.
 struct UnitGuess {
-    LengthUnit unit = LengthUnit::metre;
+    double metresPerUnit = 1;
     bool certain = false;
     std::string reason;
 };
-/// From the pairs' distance ratio where there are pairs (certain), else what the source's file says of it,
+/// From the pairs' distance ratio where there are pairs (certain), else what the source's file says of it
+/// (`ofFile`, metres per unit: any length),
 /// else from the extent and the point spacing of the source against the target: a scan of over 5 times the
-/// target's plausible size is in millimetres. Pairs that fit no unit well leave the word to the file.
-UnitGuess guessUnit(const TriangleMesh& target, const TriangleMesh& source, std::span<const PointPair> pairs,
-                    std::optional<LengthUnit> ofFile = std::nullopt);
+/// target's plausible size is in millimetres. Pairs that fit no unit well leave the word to the file. The
+/// target has `metresPerTarget` a unit; the pairs' target points are in metres.
+UnitGuess guessUnit(const TriangleMesh& target, double metresPerTarget, const TriangleMesh& source,
+                    std::span<const PointPair> pairs, std::optional<double> ofFile = std::nullopt);
 
 }  // namespace vestige

@@ -81,7 +81,9 @@ void runTrial(const TrialSet& set, std::uint64_t number, Tally& tally) {
     const bool verbose = std::getenv("VESTIGE_AUTO_VERBOSE") != nullptr;
     const Stopwatch watch;
     ParameterSet parameters(registrationParameters());
-    const auto found = findFirstPose(*trial.target, trial.source, trial.unit, parameters);
+    std::optional<double> unit;
+    if (trial.unit) unit = metresPer(*trial.unit);
+    const auto found = findFirstPose(*trial.target, trial.source, unit, parameters);
     tally.search_s.push_back(watch.processor());
     const auto failed = [&](const Error& error) {
         ++tally.wrong[static_cast<std::size_t>(Verdict::failed)];

@@ -6,6 +6,7 @@ preprocess_test.py VESTIGE_CLI
 import json
 import math
 import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -31,6 +32,21 @@ def points_of(path):
         except ValueError:
             pass
     return points
+
+
+def write_las_in_feet(path, points):
+    """LAS 1.2, point format 0, steps of 0.001 ft, with GeoTIFF keys that name the international foot."""
+    keys = struct.pack("<12H", 1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9002)
+    record = struct.pack("<H16sHH32s", 0, b"LASF_Projection", 34735, len(keys), b"") + keys
+    rows = [tuple(round(value / 1e-3) for value in point) for point in points]
+    ends = [value * 1e-3 for axis in range(3) for value in (max(r[axis] for r in rows), min(r[axis] for r in rows))]
+    header = struct.pack("<4sHHIHH8sBB32s32sHHHIIBHI5I12d", b"LASF", 0, 0, 0, 0, 0, b"", 1, 2, b"", b"", 1, 2026, 227,
+                         227 + len(record), 1, 0, 20, len(rows), len(rows), 0, 0, 0, 0, *[1e-3] * 3, *[0] * 3, *ends)
+    path.write_bytes(header + record + b"".join(struct.pack("<3i8x", *row) for row in rows))
+
+
+def info(path):
+    return json.loads(cli("--json", "info", path).stdout)["files"][0]
 
 
 class Preprocess(unittest.TestCase):
@@ -87,6 +103,38 @@ class Preprocess(unittest.TestCase):
         told = json.loads(cli("--json", "preprocess", scan, self.folder / "o.xyz", "--filter", "none", "--voxel", "1",
                               "--unit", "mm").stdout)
         self.assertEqual(told["output_points"], 100)
+
+    def test_formats_that_fix_metres_are_given_metres(self):
+        rows = [(x, y, z) for x in range(0, 40) for y in range(0, 30) for z in (3, 7)]
+        feet, scan = self.folder / "feet.las", self.folder / "scan.xyz"
+        write_las_in_feet(feet, rows)
+        scan.write_text("".join(f"{x} {y} {z}\n" for x, y, z in rows))
+        for source, options, scale in ((feet, (), 0.3048), (scan, ("--unit", "mm"), 0.001), (feet, ("--unit", "m"), 1),
+                                       (feet, ("--unit", "in"), 0.0254), (scan, (), 1)):
+            for name in ("out.e57", "out.glb"):
+                out = self.folder / name
+                done = cli("--json", "preprocess", source, out, "--filter", "none", *options)
+                self.assertEqual(json.loads(done.stdout)["output_points"], len(rows))
+                self.assertEqual("holds metres" in done.stderr, scale != 1, done.stderr)
+                told = info(out)
+                self.assertEqual(told["metres_per_unit"], 1)
+                self.assertFalse(told["crs"], "of the file in feet")
+                for found, truth in zip(told["bounds"]["min"] + told["bounds"]["max"], (0, 0, 3, 39, 29, 7), strict=True):
+                    self.assertAlmostEqual(found, truth * scale, delta=1e-5)
+        # Any other keeps the unit of the file, and what the file says of it.
+        cli("preprocess", feet, self.folder / "out.las", "--filter", "none")
+        told = info(self.folder / "out.las")
+        self.assertEqual((told["metres_per_unit"], told["bounds"]["max"]), (0.3048, [39, 29, 7]))
+
+    def test_scanners_stay_where_they_were_in_another_unit(self):
+        scan, out = self.folder / "scan.ptx", self.folder / "scan.e57"
+        scan.write_text("2\n1\n1000 2000 3000\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1000 2000 3000 1\n"
+                        "100 0 0 0.5\n0 200 0 0.5\n")
+        cli("preprocess", scan, out, "--filter", "none", "--unit", "mm")
+        told = info(out)
+        self.assertEqual([told["scans"][0]["pose"][i] for i in (3, 7, 11)], [1, 2, 3])
+        for found, truth in zip(told["bounds"]["min"] + told["bounds"]["max"], (1, 2, 3, 1.1, 2.2, 3), strict=True):
+            self.assertAlmostEqual(found, truth, delta=1e-6)
 
     def test_a_mesh_is_taken_by_its_vertices(self):
         mesh = self.folder / "mesh.ply"

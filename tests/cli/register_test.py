@@ -138,6 +138,28 @@ class Register(unittest.TestCase):
                 there = sum(pose[4 * i + k] * before[k] for k in range(3)) + pose[4 * i + 3]
                 self.assertAlmostEqual(after[i], there, delta=2e-4)
 
+    def test_the_scanner_goes_where_its_points_go(self):
+        # A scanner at (2, 1, 1.5) that is turned by 90 degrees; file = (2 - y, 1 + x, 1.5 + z), in millimetres.
+        at = (2, 1, 1.5)
+        scan, aligned = self.folder / "scan.ptx", self.folder / "aligned.e57"
+        rows = [f"{len(self.source_points)}\n1", " ".join(str(1000 * v) for v in at), "0 1 0", "-1 0 0", "0 0 1",
+                "0 1 0 0", "-1 0 0 0", "0 0 1 0", " ".join(str(1000 * v) for v in at) + " 1"]
+        for x, y, z in self.source_points:
+            rows.append(f"{1000 * (y - at[1]):.3f} {1000 * (at[0] - x):.3f} {1000 * (z - at[2]):.3f} 0.5")
+        scan.write_text("\n".join(rows) + "\n")
+        told = json.loads(cli("register", self.target, scan, "--unit", "mm", "--pose-out", self.pose, "--aligned",
+                              aligned, "--json").stdout)
+        self.expect_truth(told["pose"], 0.01, 0.1)
+        file = json.loads(cli("info", "--json", aligned).stdout)["files"][0]
+        pose = told["pose"]
+        scanner = file["scans"][0]["pose"]
+        for i in range(3):
+            there = sum(pose[4 * i + k] * at[k] for k in range(3)) + pose[4 * i + 3]
+            self.assertAlmostEqual(scanner[4 * i + 3], there, delta=1e-9)
+            # Its own x axis is the source's y axis.
+            self.assertAlmostEqual(scanner[4 * i], pose[4 * i + 1], delta=1e-9)
+        self.assertLess(max(map(abs, file["bounds"]["min"] + file["bounds"]["max"])), 7)
+
     def test_every_method_and_preset(self):
         for options, method in ((["--method", "ndt"], "ndt"), (["--method", "icp"], "icp"),
                                 (["--preset", "paper"], "improved-ndt")):
@@ -194,6 +216,17 @@ class Register(unittest.TestCase):
         # The user's word counts more.
         done = run("register", target, source, "--unit", "m", "--pose-out", self.pose, "--json")
         self.assertEqual(done.returncode, 4)
+
+    def test_a_unit_that_has_no_name_is_taken_at_its_word_too(self):
+        clarkes_foot = 0.3047972654
+        source = self.folder / "source_clarke.las"
+        write_las(source, self.source_points, clarkes_foot, 9005)
+        for init in ("identity", "auto"):
+            done = cli("register", self.target, source, "--init", init, "--pose-out", self.pose, "--json")
+            told = json.loads(done.stdout)
+            self.assertEqual(told["scale"], clarkes_foot)
+            self.expect_truth(told["pose"], 0.01, 0.1)
+            self.assertIn("units of 0.3047972654 m", done.stderr)
 
     def test_a_wrong_command_line_is_2(self):
         cli("register", self.target, self.source, code=2)

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/UnitWords.h"
 #include "core/registration/InitialPose.h"
+#include "core/scene/LayerUnit.h"
 
 namespace vestige {
 namespace {
@@ -53,13 +55,15 @@ std::vector<std::string> recogniseUnits(std::vector<Layer>& layers, const SceneS
     if (!target || !target->data) return remarks;
     for (Layer& layer : layers) {
         if (layer.unit || !layer.data) continue;
-        const std::optional<LengthUnit> ofFile = layer.fileUnit();
+        const std::optional<double> ofFile = fileMetresPerUnit(layer);
         if (&layer == target && !ofFile) continue;
-        const UnitGuess guess = guessUnit(*target->data->geometry, *layer.data->geometry, {}, ofFile);
-        if (ofFile) layer.unit = ofFile;
-        if (guess.unit == LengthUnit::metre) continue;
-        layer.unit = guess.unit;
-        const std::string unit(nameOf(guess.unit));
+        const UnitGuess guess =
+            guessUnit(*target->data->geometry, target->metresPerUnit(), *layer.data->geometry, {}, ofFile);
+        // A file with a unit of its own goes on saying it.
+        if (ofFile) layer.unit = layer.fileUnit();
+        if (guess.metresPerUnit == 1) continue;
+        if (!ofFile) layer.unit = lengthUnitOf(guess.metresPerUnit);
+        const std::string unit = unitWords(guess.metresPerUnit);
         remarks.push_back(ofFile ? layer.name + " is in " + unit + ", as its file says"
                                  : layer.name + " is taken to be in " + unit + ": " + guess.reason);
     }

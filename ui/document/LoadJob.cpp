@@ -36,7 +36,7 @@ Status readAll(Loaded& loaded, const std::function<void(const Arrival&)>& arrive
         const auto file = loaded.scene.resolve(layer.path);
         const ReadOptions options = readOptionsOf(layer);
         Arrival arrival{layer.id, std::exchange(layer.data, nullptr), nullptr};
-        const auto check = checkLoad(file, options, true, step);
+        const auto check = checkLoad(file, options, LoadedFor::scene, step);
         if (!check) {
             loaded.unread.push_back({layer.path, check.error()});
         } else if (!check->estimate.fits()) {

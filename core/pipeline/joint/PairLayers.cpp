@@ -5,6 +5,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/pipeline/joint/ExpectedOverlap.h"
+#include "core/scene/LayerUnit.h"
 
 namespace vestige {
 namespace {
@@ -199,7 +200,7 @@ Result<bool> Pairing::registerFirst(std::size_t index, std::size_t reference, co
     if (isPrepared) prepared_.erase(known);
     const bool searched = std::holds_alternative<InitAuto>(member.layer.init);
     const auto start = [&](const Similarity& toFromMember, std::optional<double> error_m) {
-        if (!member.layer.unit) member.layer.unit = nearestLengthUnit(toFromMember.scale);
+        noteUnit(member.layer, toFromMember.scale);
         member.place = placed(*to.place, toFromMember);
         member.error_m = error_m;
     };

@@ -3,6 +3,7 @@
 #include "core/pipeline/RegisterLayers.h"
 #include "core/report/Wording.h"
 #include "core/scene/Edits.h"
+#include "core/scene/LayerUnit.h"
 
 namespace vestige {
 namespace {
@@ -49,7 +50,7 @@ Status registerStage(ReconstructRun& run, const JobControl& control) {
         if (why && (!failure || failure->code == ErrorCode::untrustworthy)) failure = why;
         if (!result) continue;
         Layer& layer = *run.scene.layer(id);
-        if (!layer.unit) layer.unit = nearestLengthUnit(result->targetFromSource.scale);
+        noteUnit(layer, result->targetFromSource.scale);
         setRegistration(id, std::move(*result))->apply(run.scene);
         if (!why) judge(run, control, *run.scene.layer(id));
     }

@@ -5,6 +5,8 @@
 
 #include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
+#include "core/base/UnitWords.h"
+#include "core/base/Units.h"
 #include "core/registration/FindPose.h"
 #include "core/registration/InitialPose.h"
 #include "core/registration/RegistrationFrame.h"
@@ -31,9 +33,11 @@ constexpr std::size_t kOwnPoints = 200000;
 constexpr double kLocal = 0.25;
 constexpr double kErrorPerVoxel = 0.25;
 
-PointCloud pointsOf(const TriangleMesh& geometry) {
+/// The cloud itself; points off a mesh, which `sampled` holds.
+const PointCloud& pointsOf(const TriangleMesh& geometry, PointCloud& sampled) {
     if (!geometry.isMesh()) return geometry.vertices;
-    return sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
+    sampled = sampleSurface(geometry, std::sqrt(surfaceArea(geometry) / kMeshSamples));
+    return sampled;
 }
 
 struct Candidate {
@@ -104,20 +108,20 @@ UnitSearch searchWithUnit(const PointCloud& target, const PointCloud& source, do
 }
 
 std::vector<double> scalesToTry(const TriangleMesh& target, const TriangleMesh& source,
-                                std::optional<LengthUnit> unit, std::vector<std::string>& notes) {
-    if (unit) return {metresPer(*unit)};
-    const UnitGuess guess = guessUnit(target, source, {});
+                                std::optional<double> metresPerUnit, std::vector<std::string>& notes) {
+    if (metresPerUnit) return {exactUnit(*metresPerUnit)};
+    const UnitGuess guess = guessUnit(target, 1, source, {});
     if (guess.certain) {
-        if (guess.unit != LengthUnit::metre) notes.push_back(guess.reason);
-        return {metresPer(guess.unit)};
+        if (guess.metresPerUnit != 1) notes.push_back(guess.reason);
+        return {guess.metresPerUnit};
     }
     std::vector<double> scales;
     const double extent = source.vertices.bounds().diagonal();
     const double scene = target.vertices.bounds().diagonal();
-    for (const LengthUnit one :
-         {guess.unit, guess.unit == LengthUnit::metre ? LengthUnit::millimetre : LengthUnit::metre})
-        if (plausibleExtent(metresPer(one) * extent, scene)) scales.push_back(metresPer(one));
-    if (scales.empty()) scales.push_back(metresPer(guess.unit));
+    const double millimetre = metresPer(LengthUnit::millimetre);
+    for (const double one : {guess.metresPerUnit, guess.metresPerUnit == 1 ? millimetre : 1})
+        if (plausibleExtent(one * extent, scene)) scales.push_back(one);
+    if (scales.empty()) scales.push_back(guess.metresPerUnit);
     if (scales.size() > 1)
         notes.emplace_back("the unit is not certain, metres and millimetres were both tried");
     return scales;
@@ -165,17 +169,19 @@ bool fitsAsWell(const std::optional<Fit>& rival, const std::optional<Fit>& best)
 }  // namespace
 
 Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& source,
-                                std::optional<LengthUnit> unit, const ParameterSet& parameters,
+                                std::optional<double> metresPerUnit, const ParameterSet& parameters,
                                 const JobControl& control) {
     return guarded("search for a first pose", [&]() -> Result<FirstPose> {
-        const PointCloud there = pointsOf(target);
-        const PointCloud here = pointsOf(source);
+        PointCloud offTarget;
+        PointCloud offSource;
+        const PointCloud& there = pointsOf(target, offTarget);
+        const PointCloud& here = pointsOf(source, offSource);
         if (there.empty() || here.empty())
             return fail(ErrorCode::untrustworthy,
                         there.empty() ? "the target is empty" : "the source is empty");
         FirstPose first;
         std::vector<Candidate> candidates;
-        const std::vector<double> scales = scalesToTry(target, source, unit, first.notes);
+        const std::vector<double> scales = scalesToTry(target, source, metresPerUnit, first.notes);
         for (std::size_t i = 0; i < scales.size(); ++i) {
             const auto part = [&](std::size_t k) {
                 return static_cast<double>(k) / static_cast<double>(scales.size());
@@ -196,7 +202,7 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
         const double margin = parameters.real("search_margin");
         std::string& note = first.notes.emplace_back("first pose found ");
         note.append(describe(best)).append(", with voxels of ").append(fixedText(best.voxel_m, 3));
-        note.append(" m, the source in ").append(nameOf(nearestLengthUnit(best.targetFromSource.scale)));
+        note.append(" m, the source in ").append(unitWords(best.targetFromSource.scale));
         std::optional<Fit> fitOfBest;
         for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) {
             const Candidate& one = candidates[i];

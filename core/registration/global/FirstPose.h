@@ -7,7 +7,6 @@
 #include "core/base/JobControl.h"
 #include "core/base/ParameterSet.h"
 #include "core/base/Result.h"
-#include "core/base/Units.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/registration/RegistrationResult.h"
 
@@ -22,12 +21,12 @@ struct FirstPose {
     std::vector<std::string> notes;         ///< unit, candidates and their scores
 };
 
-/// Searches all places and rotations (docs/decisions/0008). `unit` of the source; where it is not given and
-/// the sizes do not settle it, metres and millimetres are both tried. The target is in metres. `parameters`
-/// are those of registrationParameters(). Bit-identical for any thread count. ErrorCode::untrustworthy when
-/// nothing in the target looks like the source.
+/// Searches all places and rotations (docs/decisions/0008). `metresPerUnit` of the source; where it is not
+/// given and the sizes do not settle it, metres and millimetres are both tried. The target is in metres.
+/// `parameters` are those of registrationParameters(). Bit-identical for any thread count.
+/// ErrorCode::untrustworthy when nothing in the target looks like the source.
 Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& source,
-                                std::optional<LengthUnit> unit, const ParameterSet& parameters,
+                                std::optional<double> metresPerUnit, const ParameterSet& parameters,
                                 const JobControl& control = {});
 
 /// Says in the result of a registration that started there what the search found: its notes and candidates,

@@ -41,6 +41,20 @@ TEST(LoadEstimate, APartOfAFormatThatIsReadWholeCostsTheWhole) {
     EXPECT_FALSE(estimate.partsHelp);
 }
 
+TEST(LoadEstimate, CountsWhatMovingThePointsTakes) {
+    const std::uint64_t points = 1'000'000;
+    FileInfo info = promising(points);
+    const auto bytes = [&](LoadedFor use) { return estimateLoad(info, {}, use).bytes; };
+    const std::uint64_t plain = bytes(LoadedFor::command);
+    EXPECT_EQ(bytes(LoadedFor::moving), plain + 12 * points);
+    EXPECT_EQ(bytes(LoadedFor::metres), plain) << "a file that names no unit stays as it is";
+    info.metresPerUnit = 1;
+    EXPECT_EQ(bytes(LoadedFor::metres), plain);
+    info.metresPerUnit = 0.3048;
+    EXPECT_EQ(bytes(LoadedFor::metres), plain + 12 * points);
+    EXPECT_EQ(bytes(LoadedFor::command), plain);
+}
+
 TEST(LoadEstimate, AHeaderMayPromiseAnything) {
     const LoadEstimate estimate = estimateLoad(promising(~std::uint64_t{0}, ~std::uint64_t{0}), {});
     EXPECT_FALSE(estimate.fits());

@@ -1,9 +1,11 @@
 #include "core/registration/InitialPose.h"
 
 #include <gtest/gtest.h>
+#include <fstream>
 
 #include "core/base/AtomicFile.h"
 #include "core/base/Random.h"
+#include "core/base/Units.h"
 #include "core/geometry/PointCloudBuilder.h"
 #include "tests/support/TestPaths.h"
 
@@ -141,37 +143,85 @@ TriangleMesh wall(double width, double spacing) {
 }
 
 TEST(GuessUnit, FromPairsFromSizeAndFromSpacing) {
-    const auto fromPairs = guessUnit({}, {}, pairs(0.01));
-    EXPECT_EQ(fromPairs.unit, LengthUnit::millimetre);
+    const auto fromPairs = guessUnit({}, 1, {}, pairs(0.01));
+    EXPECT_EQ(fromPairs.metresPerUnit, metresPer(LengthUnit::millimetre));
     EXPECT_TRUE(fromPairs.certain);
     // A car's front, 2000 units wide, beside a scene of 100 m.
-    const auto front = guessUnit(wall(100, 0.5), wall(2000, 10), {});
-    EXPECT_EQ(front.unit, LengthUnit::millimetre);
+    const auto front = guessUnit(wall(100, 0.5), 1, wall(2000, 10), {});
+    EXPECT_EQ(front.metresPerUnit, metresPer(LengthUnit::millimetre));
     EXPECT_NE(front.reason.find("millimetres"), std::string::npos);
     // A mirror, 200 units wide.
-    EXPECT_EQ(guessUnit(wall(100, 0.1), wall(200, 1.5), {}).unit, LengthUnit::millimetre);
+    EXPECT_EQ(guessUnit(wall(100, 0.1), 1, wall(200, 1.5), {}).metresPerUnit,
+              metresPer(LengthUnit::millimetre));
     // Another flight over the same place, and a part of it.
-    EXPECT_EQ(guessUnit(wall(100, 0.5), wall(120, 0.7), {}).unit, LengthUnit::metre);
-    EXPECT_EQ(guessUnit(wall(100, 0.5), wall(3, 0.05), {}).unit, LengthUnit::metre);
+    EXPECT_EQ(guessUnit(wall(100, 0.5), 1, wall(120, 0.7), {}).metresPerUnit, 1);
+    EXPECT_EQ(guessUnit(wall(100, 0.5), 1, wall(3, 0.05), {}).metresPerUnit, 1);
+}
+
+/// Of this process, bytes.
+long memoryPeak() {
+    std::ifstream status("/proc/self/status");
+    long kibibytes = 0;
+    for (std::string word; status >> word;)
+        if (word == "VmHWM:") status >> kibibytes;
+    return 1024 * kibibytes;
+}
+
+TEST(GuessUnit, LooksAtLargeCloudsWithoutCopyingThem) {
+    constexpr long kPoints = 6'000'000;
+    PointCloudBuilder builder;
+    builder.reserve(kPoints);
+    for (long i = 0; i < kPoints; ++i)
+        builder.add({static_cast<double>(i % 3000) / 30, static_cast<double>(i / 3000) / 30, 0});
+    const TriangleMesh scene{std::move(builder).build(), {}};
+    const TriangleMesh scan = wall(2000, 10);
+    // The peak counts anew from here.
+    std::ofstream("/proc/self/clear_refs") << 5;
+    const long before = memoryPeak();
+    const UnitGuess guess = guessUnit(scene, 1, scan, {});
+    EXPECT_LT(memoryPeak() - before, 12 * kPoints);
+    EXPECT_EQ(guess.metresPerUnit, 0.001);
+    EXPECT_NE(guess.reason.find("with a point every 0.03"), std::string::npos) << guess.reason;
+}
+
+TEST(GuessUnit, ComparesWithATargetOfAnyUnitInMetres) {
+    // A part of a scene of 50 m, both in millimetres.
+    const UnitGuess front = guessUnit(wall(50000, 250), 0.001, wall(2000, 10), {});
+    EXPECT_EQ(front.metresPerUnit, metresPer(LengthUnit::millimetre));
+    EXPECT_NE(front.reason.find("the target 70.36 m with a point every 0.2"), std::string::npos)
+        << front.reason;
+    // Another flight over a place of 100 m that is held in feet.
+    EXPECT_EQ(guessUnit(wall(328, 1.6), 0.3048, wall(90, 0.5), {}).metresPerUnit, 1);
+    EXPECT_EQ(guessUnit(wall(328, 1.6), 0.3048, wall(1500, 10), {}).metresPerUnit,
+              metresPer(LengthUnit::millimetre))
+        << "as feet the target would be as large";
 }
 
 TEST(GuessUnit, TheFileIsBelievedUnlessPairsSayOtherwise) {
     // A wall of 30 m in feet: its size alone would make it metres.
     const TriangleMesh inFeet = wall(98.4, 1);
-    EXPECT_EQ(guessUnit(wall(100, 0.5), inFeet, {}).unit, LengthUnit::metre);
-    const UnitGuess said = guessUnit(wall(100, 0.5), inFeet, {}, LengthUnit::usSurveyFoot);
-    EXPECT_EQ(said.unit, LengthUnit::usSurveyFoot);
+    EXPECT_EQ(guessUnit(wall(100, 0.5), 1, inFeet, {}).metresPerUnit, 1);
+    const UnitGuess said = guessUnit(wall(100, 0.5), 1, inFeet, {}, metresPer(LengthUnit::usSurveyFoot));
+    EXPECT_EQ(said.metresPerUnit, metresPer(LengthUnit::usSurveyFoot));
     EXPECT_TRUE(said.certain);
     EXPECT_NE(said.reason.find("US survey feet"), std::string::npos);
+    // Clarke's foot, which is none of ours; and a US survey foot with fewer digits is that foot.
+    const UnitGuess clarke = guessUnit(wall(100, 0.5), 1, inFeet, {}, 0.3047972654);
+    EXPECT_EQ(clarke.metresPerUnit, 0.3047972654);
+    EXPECT_NE(clarke.reason.find("units of 0.3047972654 m"), std::string::npos) << clarke.reason;
+    EXPECT_EQ(guessUnit({}, 1, {}, pairs(0.01), 0.914398).metresPerUnit, 0.001) << "yards, pairs in mm";
+    EXPECT_EQ(guessUnit({}, 1, inFeet, {}, 0.3048006096).metresPerUnit, metresPer(LengthUnit::usSurveyFoot));
     // Pairs in millimetres, and a file that says so, or says inches, or feet of pairs in feet.
-    EXPECT_EQ(guessUnit({}, {}, pairs(0.01), LengthUnit::millimetre).unit, LengthUnit::millimetre);
-    const UnitGuess wrong = guessUnit({}, {}, pairs(0.01), LengthUnit::inch);
-    EXPECT_EQ(wrong.unit, LengthUnit::millimetre);
+    EXPECT_EQ(guessUnit({}, 1, {}, pairs(0.01), metresPer(LengthUnit::millimetre)).metresPerUnit,
+              metresPer(LengthUnit::millimetre));
+    const UnitGuess wrong = guessUnit({}, 1, {}, pairs(0.01), metresPer(LengthUnit::inch));
+    EXPECT_EQ(wrong.metresPerUnit, metresPer(LengthUnit::millimetre));
     EXPECT_NE(wrong.reason.find("although its file says inches"), std::string::npos);
     std::vector<PointPair> feet = pairs(0.01);
     for (PointPair& pair : feet) pair.source *= 0.001 / 0.3048;
-    EXPECT_EQ(guessUnit({}, {}, feet).unit, LengthUnit::foot);
-    EXPECT_EQ(guessUnit({}, {}, feet, LengthUnit::usSurveyFoot).unit, LengthUnit::usSurveyFoot)
+    EXPECT_EQ(guessUnit({}, 1, {}, feet).metresPerUnit, metresPer(LengthUnit::foot));
+    EXPECT_EQ(guessUnit({}, 1, {}, feet, metresPer(LengthUnit::usSurveyFoot)).metresPerUnit,
+              metresPer(LengthUnit::usSurveyFoot))
         << "pairs cannot tell the two feet apart";
 }
 

@@ -35,6 +35,21 @@ TEST(RecogniseUnits, BelievesTheFileBeforeTheSize) {
     EXPECT_NE(remarks[2].find("unsaid is taken to be in millimetres"), std::string::npos);
 }
 
+TEST(RecogniseUnits, AFileWithAUnitOfItsOwnGoesOnSayingIt) {
+    std::vector<Layer> layers{layer("site", 10, 1), layer("old", 4000, 0.3047972654)};
+    const std::vector<std::string> remarks = recogniseUnits(layers, {});
+    EXPECT_FALSE(layers[1].unit);
+    EXPECT_EQ(layers[1].metresPerUnit(), 0.3047972654);
+    ASSERT_EQ(remarks.size(), 1);
+    EXPECT_EQ(remarks[0], "old is in units of 0.3047972654 m, as its file says");
+}
+
+TEST(RecogniseUnits, ComparesWithTheTargetInMetres) {
+    std::vector<Layer> layers{layer("site", 50000, 0.001), layer("scan", 2000, std::nullopt)};
+    recogniseUnits(layers, {});
+    EXPECT_EQ(layers[1].unit, LengthUnit::millimetre) << "50 m are far less than 2000 m";
+}
+
 TEST(Layer, TakesItsUnitFromTheFileWhereNoneIsGiven) {
     Layer feet = layer("a", 10, 0.3048);
     EXPECT_EQ(feet.metresPerUnit(), 0.3048);

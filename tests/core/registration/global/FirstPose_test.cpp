@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/Parallel.h"
+#include "core/base/Units.h"
 #include "core/io/FormatRegistry.h"
 #include "core/registration/InitialPose.h"
 #include "core/registration/Register.h"
@@ -152,7 +153,7 @@ TEST(FirstPose, LaysTwoStationsOnEachOther) {
     const PointCloud source = scanStreet(second);
     for (const std::uint64_t seed : {7U, 8U}) {
         const MovedScan scan = moved(source, 1, seed);
-        const auto found = findFirstPose(target, {scan.cloud, {}}, LengthUnit::metre, defaults());
+        const auto found = findFirstPose(target, {scan.cloud, {}}, 1.0, defaults());
         ASSERT_TRUE(found) << found.error().sentence();
         EXPECT_FALSE(found->ambiguous);
         const Pose truth = first.worldFromScanner.inverse() * second.worldFromScanner * scan.back;
@@ -175,7 +176,7 @@ int placedAsPicked(const std::string& target, const std::string& source, const s
     int placed = 0;
     for (int trial = 0; trial < trials; ++trial) {
         const MovedScan scan = moved(here->geometry.vertices, 1, 20 + static_cast<std::uint64_t>(trial));
-        const auto found = findFirstPose(there->geometry, {scan.cloud, {}}, LengthUnit::metre, defaults());
+        const auto found = findFirstPose(there->geometry, {scan.cloud, {}}, 1.0, defaults());
         if (!found) continue;
         const Pose pose = found->targetFromSource.pose * scan.back.inverse();
         placed += distanceAt(pose, picked, middle) < shift_m && turnBetween(pose, picked) < 2;
