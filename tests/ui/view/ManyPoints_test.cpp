@@ -58,6 +58,21 @@ TEST(ManyPoints, APictureAsksForNoMoreThanItsPixelsShow) {
     EXPECT_EQ(picture, whole.complete()) << "what was left out shows nowhere";
 }
 
+TEST(ManyPoints, PointsThatCoincideLeaveNoHoles) {
+    // A tile merged several times; 90 x 90 pixels.
+    const auto once = flatSquare(700);
+    for (const int times : {2, 3}) {
+        ViewDescription view = plainView(repeated(*once, times), NamedView::top);
+        view.camera.halfHeight_m *= 3;
+        SmallDrawing thinned(1 << 24, 0);
+        thinned.show(view);
+        EXPECT_LT(thinned.drawing.pointsWanted(), 150'000U * times);
+        SmallDrawing whole(1 << 24, 1 << 24);
+        whole.show(view);
+        EXPECT_EQ(thinned.complete(), whole.complete()) << times;
+    }
+}
+
 TEST(ManyPoints, NearPointsAreAllDrawn) {
     ViewDescription view = plainView(square(), NamedView::top);
     view.camera.halfHeight_m = 0.2;
