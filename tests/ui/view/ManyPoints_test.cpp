@@ -151,3 +151,30 @@ TEST(ManyPoints, StepsAddUpToThePictureDrawnAtOnce) {
     }
     EXPECT_EQ(picture, steps.complete());
 }
+
+TEST(ManyPoints, WhatWasDrawnBeforeDoesNotShowInAPictureDrawnAtOnce) {
+    // Two layers in one plane, wherever the steps before it ended.
+    ViewDescription view = plainView(flatSquare(400), NamedView::top);
+    view.layers.push_back(plainView(flatSquare(350), NamedView::top).layers[0]);
+    view.layers[0].tint = {230, 40, 40};
+    view.layers[1].tint = {40, 40, 230};
+    view.pointSize_px = 1;
+    SmallDrawing fresh(1 << 24, 1 << 24);
+    fresh.show(view);
+    const QImage atOnce = fresh.complete();
+    int otherwise = 0;
+    for (const std::vector<double>& ends :
+         {std::vector<double>{0.02, 1}, {0.05, 0.5, 1}, {0.1, 0.3, 0.31, 0.97, 1}, {0.03, 0.04}}) {
+        SmallDrawing steps(1 << 24, 1 << 24);
+        steps.show(view);
+        steps.drawing.beginPicture(ends.front());
+        QImage picture = steps.window.draw();
+        for (std::size_t i = 1; i < ends.size(); ++i) {
+            steps.drawing.addToPicture(ends[i]);
+            picture = steps.window.draw();
+        }
+        otherwise += picture != atOnce;
+        EXPECT_EQ(steps.complete(), atOnce);
+    }
+    EXPECT_EQ(otherwise, 4) << "steps show, or this test sees nothing";
+}
