@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/Random.h"
+
 namespace vestige {
 namespace {
 
@@ -22,14 +24,19 @@ BoundingBox boxOf(const ViewLayer& layer) {
     return layer.geometry->vertices.bounds().transformed(layer.worldFromLayer);
 }
 
+/// Of each run of points one, by chance: clouds lie in rows in their files, of which every k-th point could
+/// be one column alone.
 std::vector<Eigen::Vector3d> samplePoints(const ViewDescription& view) {
     std::vector<Eigen::Vector3d> sample;
     for (const std::size_t index : subjectLayers(view)) {
         const ViewLayer& layer = view.layers[index];
         const PointCloud& cloud = layer.geometry->vertices;
         const std::size_t stride = std::max<std::size_t>(1, cloud.size() / kSample);
-        for (std::size_t i = 0; i < cloud.size(); i += stride)
-            sample.push_back(layer.worldFromLayer * cloud.point(i));
+        Random random(kSample, index);
+        for (std::size_t begin = 0; begin < cloud.size(); begin += stride) {
+            const std::size_t run = std::min(stride, cloud.size() - begin);
+            sample.push_back(layer.worldFromLayer * cloud.point(begin + random.below(run)));
+        }
     }
     return sample;
 }

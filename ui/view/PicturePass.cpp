@@ -255,6 +255,7 @@ void PicturePass::ReleaseGraphicsResources(vtkWindow* window) {
         picture.depth->ReleaseGraphicsResources(window);
     }
     quad_.reset();
+    if (release_) release_();
     width_ = height_ = 0;
     empty_ = true;
     Superclass::ReleaseGraphicsResources(window);

@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLFramebufferObject;
@@ -40,6 +41,9 @@ class PicturePass : public vtkRenderPass {
     enum class Mix { none, own, swipe, checkerboard, other };
     void setMix(Mix mix, float divider, int tile_px);
     bool compares() const { return mix_ != Mix::none; }
+    /// Called when the window's graphics resources are given back, with its context current, for what the
+    /// props have together.
+    void setRelease(std::function<void()> release) { release_ = std::move(release); }
     void setBackground(const Eigen::Vector3f& top, const Eigen::Vector3f& bottom);
 
     void Render(const vtkRenderState* state) override;
@@ -63,6 +67,7 @@ class PicturePass : public vtkRenderPass {
     vtkNew<vtkOpenGLFramebufferObject> framebuffer_;
     std::array<Picture, 2> pictures_;
     Prepare prepare_;
+    std::function<void()> release_;
     Mix mix_ = Mix::none;
     float divider_ = 0.5F;
     int tile_px_ = 96;

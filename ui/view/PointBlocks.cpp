@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/Parallel.h"
@@ -24,27 +25,41 @@ std::uint32_t reversedBits(std::uint32_t x) {
     return (x & 0x00ffU) << 8 | (x >> 8 & 0x00ffU);
 }
 
-double stepAt(const Octree& octree, std::uint32_t place) {
+/// The first step along the Morton curve to another place, of the steps that begin at [begin, end); 0 when
+/// the points there all coincide. Points that coincide (a tile that was merged twice) do not tell how far
+/// apart places are.
+double stepAt(const Octree& octree, std::size_t begin, std::size_t end) {
     const auto& offsets = octree.cloud().offsets();
-    return (offsets[octree.order()[place + 1]] - offsets[octree.order()[place]]).norm();
+    for (std::size_t place = begin; place < end; ++place)
+        if (const Eigen::Vector3f step = offsets[octree.order()[place + 1]] - offsets[octree.order()[place]];
+            !step.isZero(0))
+            return step.norm();
+    return 0;
 }
 
 /// The median step along the Morton curve as a distance of neighbours, in the cloud's unit.
 double typicalSpacing(const Octree& octree) {
     SampledRange steps;
-    steps.sample(octree.cloud().size() - 1,
-                 [&](std::size_t i) { return stepAt(octree, static_cast<std::uint32_t>(i)); });
+    const std::size_t count = octree.cloud().size() - 1;
+    steps.sample(count, [&](std::size_t i) {
+        const double step = stepAt(octree, i, std::min(count, i + SampledRange::stride(count)));
+        return step > 0 ? step : std::numeric_limits<double>::quiet_NaN();
+    });
     return steps.empty() ? 0 : steps.quantile(0.5) / kStepPerSpacing;
 }
 
+/// The same of the points [begin, end) of the octree's order.
 double medianSpacing(const Octree& octree, std::uint32_t begin, std::uint32_t end) {
     if (end - begin < 2) return 0;
     const std::uint32_t count = std::min(kStepsSampled, end - begin - 1);
-    std::vector<double> steps(count);
+    const auto sampled = [&](std::uint32_t i) {
+        return begin + static_cast<std::uint32_t>(std::uint64_t{i} * (end - begin - 1) / count);
+    };
+    std::vector<double> steps;
     for (std::uint32_t i = 0; i < count; ++i)
-        steps[i] =
-            stepAt(octree, begin + static_cast<std::uint32_t>(std::uint64_t{i} * (end - begin - 1) / count));
-    const auto place = steps.begin() + count / 2;
+        if (const double step = stepAt(octree, sampled(i), sampled(i + 1)); step > 0) steps.push_back(step);
+    if (steps.empty()) return 0;
+    const auto place = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), place, steps.end());
     return *place / kStepPerSpacing;
 }
@@ -123,7 +138,8 @@ std::uint32_t PointBlocks::point(std::size_t block, std::uint32_t rank) const {
 }
 
 std::uint32_t pointsWorthDrawing(const PointBlock& block, double metresPerPixel) {
-    // A share of the points of a surface stands farther apart by the root of that share.
+    // A share of the points of a surface stands farther apart by the root of that share; where several stand
+    // in each place, it stands nearer, and no place is left out for it.
     const double apart_px = block.spacing_m / (kDensest_px * metresPerPixel);
     const double share = apart_px * apart_px;
     if (!(share < 1)) return block.size();

@@ -14,7 +14,7 @@ struct PointBlock {
     BoundingBox box;          ///< world, where the layer lay when the blocks were made
     std::uint32_t begin = 0;  ///< range in Octree::order()
     std::uint32_t end = 0;
-    double spacing_m = 0;     ///< typical distance of neighbours
+    double spacing_m = 0;  ///< typical distance of neighbours that do not coincide
     std::uint32_t size() const { return end - begin; }
 };
 
@@ -31,7 +31,7 @@ class PointBlocks {
     PointBlocks(std::shared_ptr<const Octree> octree, const Similarity& worldFromLayer);
 
     const std::vector<PointBlock>& blocks() const { return blocks_; }
-    /// Typical distance of neighbours in the whole cloud, metres.
+    /// Typical distance of neighbours that do not coincide in the whole cloud, metres.
     double spacing_m() const { return spacing_m_; }
     /// Index into the cloud of the point that is drawn as number `rank` (below the block's size) of a block.
     std::uint32_t point(std::size_t block, std::uint32_t rank) const;

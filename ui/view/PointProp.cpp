@@ -250,7 +250,8 @@ int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
 }
 
 void PointProp::ReleaseGraphicsResources(vtkWindow* window) {
-    if (store_) store_->release();
+    // VTK calls this when the prop is removed, too, and the store has the other layers' pages.
+    if (store_) store_->drop(places_);
     Superclass::ReleaseGraphicsResources(window);
 }
 

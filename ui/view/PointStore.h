@@ -43,7 +43,7 @@ class PointStore {
     /// The vertices to fill, kPage of them, are staged(number). kNowhere where all that is held is in use.
     std::uint32_t add(Places& places, std::size_t page);
     PointVertex* staged(std::uint32_t number) { return staging_.data() + std::size_t{number} * kPage; }
-    /// Forgets the pages of a layer.
+    /// Forgets the pages of a layer; needs no graphics context.
     void drop(Places& places);
 
     /// Hands over what was added and binds buffer and attributes ("place", "paint") of the program. The

@@ -10,10 +10,12 @@ namespace vestige {
 /// Quantiles of many values from an even sample of them.
 class SampledRange {
   public:
+    /// Of so many values every k-th is looked at.
+    static std::size_t stride(std::size_t count) { return std::max<std::size_t>(1, count / 50000); }
+    /// Values that are not finite do not count.
     template <class Value>
     void sample(std::size_t count, const Value& value) {
-        const std::size_t stride = std::max<std::size_t>(1, count / 50000);
-        for (std::size_t i = 0; i < count; i += stride) {
+        for (std::size_t i = 0; i < count; i += stride(count)) {
             const double one = value(i);
             if (std::isfinite(one)) values_.push_back(one);
         }

@@ -191,14 +191,16 @@ struct SceneDrawing::Private {
         drawn.points->setPainter(pointPainter(view, index, scale));
     }
 
-    /// Room in the store for all there is, as far as it goes.
+    /// Room in the store for all there is, as far as it goes; none where there are no points.
     void reserve() {
         std::size_t pages = 0;
         for (const Drawn& drawn : layers)
             if (drawn.points)
                 for (const PointBlock& block : drawn.points->blocks())
                     pages += (block.size() + PointStore::kPage - 1) / PointStore::kPage;
-        store->reserve(pages);
+        if (pages > 0) return store->reserve(pages);
+        window.MakeCurrent();  // or another window's buffer of the same number would go
+        store->release();
     }
 
     /// Calls `visit(prop, block, page)` for the pages that the part [from, to) of the picture needs, the
@@ -235,11 +237,13 @@ SceneDrawing::SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld, std::s
     d_->renderer->SetBackground(0, 0, 0);
     // VTK would leave out what the first picture does not show; setCamera() decides for both.
     d_->renderer->GetCullers()->RemoveAllItems();
+    d_->pass->setRelease([store = d_->store] { store->release(); });
     d_->pass->setPrepare([this](vtkProp& prop, int picture) { return d_->prepare(prop, picture); });
     window.AddRenderer(d_->renderer);
 }
 
 SceneDrawing::~SceneDrawing() {
+    d_->window.MakeCurrent();
     d_->window.RemoveRenderer(d_->renderer);
 }
 

@@ -70,8 +70,9 @@ struct SceneView::Private {
     bool sceneChanged = true;
     bool pictureChanged = true;
     bool moving = false;
-    double share = 0;    // of the points wanted that the picture holds
-    bool lacks = false;  // the picture has not all points of that share
+    double share = 0;     // of the points wanted that the picture holds
+    bool lacks = false;   // the picture has not all points of that share
+    bool atOnce = false;  // one step drew the picture
 
     QSize size() const { return surface->widget()->size(); }
 
@@ -115,6 +116,7 @@ struct SceneView::Private {
         budget.frameTook(static_cast<std::size_t>((to - from) * static_cast<double>(wanted)),
                          1e-9 * clock.nsecsElapsed());
         if (begin) lacks = !holds;
+        atOnce = begin;
         sceneChanged = pictureChanged = false;
         share = to;
         overlay->update();
@@ -255,8 +257,9 @@ void SceneView::setCovered(std::vector<QRectF> covered) {
 
 void SceneView::completePicture() {
     d_->moving = false;
-    if (isComplete()) return;
-    // Points of equal depth hide each other by the order of drawing, so what was begun is drawn anew.
+    if (isComplete() && d_->atOnce) return;
+    // Points of equal depth hide each other by the order of drawing, and steps end where the time of a frame
+    // did: what they drew is drawn anew.
     d_->pictureChanged = true;
     d_->step(true);
 }

@@ -59,7 +59,8 @@ class SceneView : public QObject {
 
     /// Whether the picture shows everything there is to see from here.
     bool isComplete() const;
-    /// Draws at once what is still missing of a picture that is built up step by step.
+    /// Draws the complete picture in one step, unless it was drawn so: the same from run to run, which a
+    /// picture built up step by step is but for points of equal depth.
     void completePicture();
     /// The complete picture, without the window round it. Null before the widget is shown.
     QImage grab();

@@ -78,6 +78,25 @@ TEST(FrameView, AScanInAFrameOfItsOwnDoesNotMoveThePictureAway) {
     EXPECT_EQ(subjectLayers(view), std::vector<std::size_t>{0});
 }
 
+TEST(FrameView, SeesTheEdgesOfACloudInRows) {
+    // 2 million points, of which every 100th would be in one of ten columns.
+    PointCloudBuilder builder;
+    for (int row = 0; row < 2000; ++row)
+        for (int column = 0; column < 1000; ++column)
+            builder.add({483000 + 0.1 * column, 4375000 + 0.05 * row, 35});
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->vertices = std::move(builder).build();
+    ViewDescription view;
+    view.layers.push_back({"scan", "scan", mesh, nullptr, {}, {160, 180, 200}, nullptr, true, false});
+    const ViewCamera camera = frameView(view, NamedView::top, 900, 900);
+    const Eigen::Vector2d low = camera.project({483000, 4375000, 35})->pixel;
+    const Eigen::Vector2d high = camera.project({483099.9, 4375099.95, 35})->pixel;
+    EXPECT_NEAR(low.x(), 36, 6);
+    EXPECT_NEAR(high.x(), 864, 6);
+    EXPECT_NEAR(low.y(), 864, 6);
+    EXPECT_NEAR(high.y(), 36, 6);
+}
+
 TEST(FrameView, AnEmptySceneHasACamera) {
     const ViewCamera camera = frameView({}, NamedView::iso, 200, 100);
     EXPECT_TRUE(camera.position.allFinite());

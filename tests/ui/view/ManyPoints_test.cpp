@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/offscreen/OsMesaContext.h"
+#include "core/base/Random.h"
+#include "core/geometry/PointCloudBuilder.h"
 #include "tests/ui/view/Samples.h"
 #include "ui/view/OffscreenWindow.h"
 #include "ui/view/SceneDrawing.h"
@@ -35,6 +39,23 @@ const std::shared_ptr<const TriangleMesh>& square() {
     return mesh;
 }
 
+/// Random points on a wavy square of 10 m, in tiles of 0.5 m of which every second is four times as dense.
+std::shared_ptr<const TriangleMesh> waves(std::size_t count) {
+    Random random(7);
+    PointCloudBuilder builder;
+    while (builder.size() < count) {
+        const double x = random.uniform(0, 10);
+        const double y = random.uniform(0, 10);
+        const bool dense = (static_cast<int>(2 * x) + static_cast<int>(2 * y)) % 2 == 0;
+        if (dense || random.below(4) == 0)
+            builder.add(kFar + Eigen::Vector3d(x, y, 0.3 * std::sin(2 * x) * std::cos(3 * y)));
+    }
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->vertices = std::move(builder).build();
+    return mesh;
+}
+
+/// One colour.
 ViewDescription squareByHeight(NamedView view) {
     ViewDescription description = plainView(square(), view);
     description.colorMode = ColorMode::height;
@@ -56,6 +77,54 @@ TEST(ManyPoints, APictureAsksForNoMoreThanItsPixelsShow) {
     whole.show(view);
     EXPECT_EQ(whole.drawing.pointsWanted(), 2'250'000U);
     EXPECT_EQ(picture, whole.complete()) << "what was left out shows nowhere";
+}
+
+TEST(ManyPoints, ThinningAnUnevenSurfaceLeavesItAsItIs) {
+    for (const NamedView named : {NamedView::top, NamedView::perspective}) {
+        ViewDescription view = plainView(waves(1'500'000), named);
+        view.colorMode = ColorMode::height;
+        view.camera =
+            fitCamera({kFar - Eigen::Vector3d(5, 5, 1), kFar + Eigen::Vector3d(15, 15, 1)}, named, 400, 300);
+        SmallDrawing thinned(1 << 24, 0);
+        thinned.show(view);
+        EXPECT_LT(thinned.drawing.pointsWanted(), 750'000U) << name(named);
+        SmallDrawing whole(1 << 24, 1 << 24);
+        whole.show(view);
+        const QImage few = thinned.complete();
+        const QImage all = whole.complete();
+        int seen = 0;
+        int holes = 0;
+        int others = 0;
+        for (int y = 0; y < all.height(); ++y)
+            for (int x = 0; x < all.width(); ++x) {
+                const QColor a = all.pixelColor(x, y);
+                const QColor b = few.pixelColor(x, y);
+                if (a.value() < 80) continue;
+                ++seen;
+                holes += b.value() < 80;
+                others += std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
+                              std::abs(a.blue() - b.blue()) >
+                          60;
+            }
+        EXPECT_GT(seen, 5000) << name(named);
+        EXPECT_LT(holes, 0.03 * seen) << name(named);
+        EXPECT_LT(others, 0.05 * seen) << name(named);
+    }
+}
+
+TEST(ManyPoints, PointsThatCoincideLeaveNoHoles) {
+    // A tile merged several times; 90 x 90 pixels.
+    const auto once = flatSquare(700);
+    for (const int times : {2, 3}) {
+        ViewDescription view = plainView(repeated(*once, times), NamedView::top);
+        view.camera.halfHeight_m *= 3;
+        SmallDrawing thinned(1 << 24, 0);
+        thinned.show(view);
+        EXPECT_LT(thinned.drawing.pointsWanted(), 150'000U * times);
+        SmallDrawing whole(1 << 24, 1 << 24);
+        whole.show(view);
+        EXPECT_EQ(thinned.complete(), whole.complete()) << times;
+    }
 }
 
 TEST(ManyPoints, NearPointsAreAllDrawn) {
@@ -134,5 +203,32 @@ TEST(ManyPoints, StepsAddUpToThePictureDrawnAtOnce) {
         steps.drawing.addToPicture(share);
         picture = steps.window.draw();
     }
-    EXPECT_EQ(picture, steps.complete());
+    EXPECT_EQ(picture, steps.complete()) << "no point is left out; of several colours, see the next test";
+}
+
+TEST(ManyPoints, WhatWasDrawnBeforeDoesNotShowInAPictureDrawnAtOnce) {
+    // Two layers in one plane, wherever the steps before it ended.
+    ViewDescription view = plainView(flatSquare(400), NamedView::top);
+    view.layers.push_back(plainView(flatSquare(350), NamedView::top).layers[0]);
+    view.layers[0].tint = {230, 40, 40};
+    view.layers[1].tint = {40, 40, 230};
+    view.pointSize_px = 1;
+    SmallDrawing fresh(1 << 24, 1 << 24);
+    fresh.show(view);
+    const QImage atOnce = fresh.complete();
+    int otherwise = 0;
+    for (const std::vector<double>& ends :
+         {std::vector<double>{0.02, 1}, {0.05, 0.5, 1}, {0.1, 0.3, 0.31, 0.97, 1}, {0.03, 0.04}}) {
+        SmallDrawing steps(1 << 24, 1 << 24);
+        steps.show(view);
+        steps.drawing.beginPicture(ends.front());
+        QImage picture = steps.window.draw();
+        for (std::size_t i = 1; i < ends.size(); ++i) {
+            steps.drawing.addToPicture(ends[i]);
+            picture = steps.window.draw();
+        }
+        otherwise += picture != atOnce;
+        EXPECT_EQ(steps.complete(), atOnce);
+    }
+    EXPECT_EQ(otherwise, 4) << "steps show, or this test sees nothing";
 }

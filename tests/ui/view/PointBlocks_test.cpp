@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/Parallel.h"
+#include "core/geometry/PointCloudBuilder.h"
 #include "tests/ui/view/Samples.h"
 
 using namespace vestige;
@@ -96,6 +97,28 @@ TEST(PointBlocks, KnowTheSpacingOfTheirPoints) {
     const PointBlocks small(octreeOf(square), millimetres);
     EXPECT_NEAR(small.spacing_m(), 0.0001, 0.00003);
     EXPECT_NEAR(small.blocks()[0].spacing_m, 0.0001, 0.00005);
+}
+
+TEST(PointBlocks, DoNotTakePointsThatCoincideForNear) {
+    const auto square = flatSquare(101);  // 0.1 m
+    for (const int times : {2, 3, 6}) {
+        const PointBlocks made(octreeOf(repeated(*square, times)), {});
+        EXPECT_NEAR(made.spacing_m(), 0.1, 0.03) << times;
+        EXPECT_NEAR(made.blocks()[0].spacing_m, 0.1, 0.05) << times;
+    }
+    // Nineteen in twenty points in one place, as a scanner writes what it did not see.
+    PointCloudBuilder builder;
+    for (int i = 0; i < 19 * 3000; ++i) builder.add(kFar + Eigen::Vector3d(5, 5, 0));
+    for (int i = 0; i < 3000; ++i) builder.add(kFar + Eigen::Vector3d(0.1 * (i % 60), 0.1 * (i / 60), 0));
+    auto heaped = std::make_shared<TriangleMesh>();
+    heaped->vertices = std::move(builder).build();
+    const PointBlocks made(octreeOf(heaped), {});
+    ASSERT_EQ(made.blocks().size(), 1U);
+    EXPECT_GT(made.blocks()[0].spacing_m, 0.05);
+    EXPECT_GT(made.spacing_m(), 0.05);
+    const PointBlocks one(octreeOf(repeated(*onePoint(kFar), 1000)), {});
+    EXPECT_EQ(one.spacing_m(), 0);
+    EXPECT_EQ(one.blocks()[0].spacing_m, 0);
 }
 
 TEST(PointBlocks, AskForTheirPointsByThePixelsTheyCover) {

@@ -13,6 +13,15 @@ std::shared_ptr<const TriangleMesh> flatSquare(int side, const Eigen::Vector3d& 
     return mesh;
 }
 
+std::shared_ptr<const TriangleMesh> repeated(const TriangleMesh& mesh, int times) {
+    PointCloudBuilder builder;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        for (int time = 0; time < times; ++time) builder.add(mesh.vertices.point(i));
+    auto result = std::make_shared<TriangleMesh>();
+    result->vertices = std::move(builder).build();
+    return result;
+}
+
 std::shared_ptr<const TriangleMesh> onePoint(const Eigen::Vector3d& place) {
     PointCloudBuilder builder;
     builder.add(place);

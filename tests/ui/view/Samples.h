@@ -12,6 +12,8 @@ namespace vestige::test {
 /// origin.
 inline const Eigen::Vector3d kFar{483000.25, 4375000.5, 34.75};
 std::shared_ptr<const TriangleMesh> flatSquare(int side, const Eigen::Vector3d& corner = kFar);
+/// Every point of it so many times, one after the other.
+std::shared_ptr<const TriangleMesh> repeated(const TriangleMesh& mesh, int times);
 /// One point there.
 std::shared_ptr<const TriangleMesh> onePoint(const Eigen::Vector3d& place);
 /// A description of one layer with nothing painted over it, in colours by source.

@@ -181,6 +181,39 @@ TEST(SceneView, APendingMarkShowsAtOnce) {
     EXPECT_EQ(shown.view.grab(), before);
 }
 
+TEST(SceneView, AGrabbedPictureDoesNotDependOnTheStepsThatBuiltIt) {
+    // Two layers in one plane: which of them a pixel shows is told by the order of drawing alone. The first
+    // has a point a pixel, so that a part of it leaves pixels to the second.
+    ViewDescription view = plainView(flatSquare(300), NamedView::top);
+    view.layers.push_back(plainView(flatSquare(800), NamedView::top).layers[0]);
+    view.layers[0].tint = {230, 40, 40};
+    view.layers[1].tint = {40, 40, 230};
+    view.pointSize_px = 1;
+    const TemporaryFolder folder;
+    ASSERT_TRUE(offscreenRenderer()->renderPng(view, folder / "p.png", {}));
+    const QImage atOnce = readPicture(folder / "p.png").convertToFormat(QImage::Format_RGB32);
+    const auto picture = [](QWidget& widget) {
+        return widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    };
+    int otherwise = 0;
+    for (int run = 0; run < 4; ++run) {
+        ShownView shown(view);
+        EXPECT_EQ(picture(*shown.view.widget()), atOnce) << run;
+        // Frames of other lengths, and so steps of other sizes; the last run grabs a picture half built.
+        for (int turn = 0; turn < run; ++turn) {
+            shown.turnWheel({200, 150}, turn % 2 == 0 ? 1 : -1);
+            QTest::qWait(20 * turn);
+        }
+        shown.view.setCamera(view.camera);
+        QElapsedTimer clock;
+        clock.start();
+        while (run < 3 && !shown.view.isComplete() && clock.elapsed() < 60000) QTest::qWait(1);
+        if (run < 3) otherwise += picture(*shown.view.widget()) != atOnce;
+        EXPECT_EQ(shown.view.grab().convertToFormat(QImage::Format_RGB32), atOnce) << run;
+    }
+    EXPECT_GT(otherwise, 0) << "steps show, or this test sees nothing";
+}
+
 TEST(SceneView, ManyPointsAreFilledInWhileEventsGoOn) {
     const ViewDescription view = plainView(flatSquare(1200), NamedView::top);
     const TemporaryFolder folder;
