@@ -107,6 +107,10 @@ Database::Database(const std::filesystem::path& file, Access access)
 
 Database::~Database() = default;
 
+const std::filesystem::path& Database::file() const {
+    return connection_->file;
+}
+
 std::vector<Database::Row> Database::run(const char* statement, const std::vector<Value>& values) {
     Connection& db = *connection_;
     db.looks = 0;

@@ -25,6 +25,7 @@ class Database {
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
+    const std::filesystem::path& file() const;
     /// One statement with its values in place of its question marks; what it returns.
     std::vector<Row> run(const char* statement, const std::vector<Value>& values = {});
     /// The first value of the first row; nothing in it when there is none.

@@ -13,10 +13,12 @@ constexpr std::int64_t kSchemaVersion = 1;
 bool hasSchema(Database& database) {
     if (database.number("SELECT count(*) FROM sqlite_schema") == 0) return false;
     if (database.number("PRAGMA application_id") != kApplication)
-        throw ErrorException{{ErrorCode::input, "this database is no case of Vestige", {}, {}}};
-    if (database.number("PRAGMA user_version") > kSchemaVersion)
         throw ErrorException{
-            {ErrorCode::input, "the case was written by a later version of Vestige", {}, {}}};
+            {ErrorCode::input, "this database is no case of Vestige", database.file().string(), {}}};
+    if (database.number("PRAGMA user_version") > kSchemaVersion)
+        throw ErrorException{{ErrorCode::input, "the case was written by a later version of Vestige",
+                              database.file().string(),
+                              "expected: a case of this version or an earlier one"}};
     return true;
 }
 

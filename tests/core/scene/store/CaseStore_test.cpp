@@ -14,6 +14,7 @@
 #include "core/base/Hash.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "core/scene/store/Database.h"
 #include "tests/core/scene/SampleScene.h"
 #include "tests/support/TestPaths.h"
 
@@ -241,6 +242,20 @@ TEST(CaseStore, ThatWasMovedAwayIsMissedAndNothingIsTakenForStored) {
     EXPECT_THAT(stored.error().sentence(), HasSubstr("moved or deleted"));
     fs::rename(folder / "elsewhere.vestige", store->folder());
     EXPECT_TRUE(store->append({{"edit", sample("found")}})) << "and it goes on when it is back";
+}
+
+TEST(CaseStore, ALaterVersionsCaseIsRefusedByName) {
+    const TemporaryFolder folder;
+    const fs::path place = folder / "night.vestige";
+    ASSERT_TRUE(writeCase(place, sample()));
+    Database(place / "case.db", Database::Access::write).run("PRAGMA user_version=99");
+    const auto read = readCase(place);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().sentence(), HasSubstr("later version"));
+    EXPECT_THAT(read.error().sentence(), HasSubstr(place.string()));
+    const auto opened = CaseStore::open(place);
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().sentence(), HasSubstr(place.string()));
 }
 
 TEST(CaseStore, DamagedDatabasesAreRefusedWithASentence) {
