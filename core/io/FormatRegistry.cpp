@@ -133,7 +133,8 @@ Result<T> whileUnchanged(const std::filesystem::path& file, const Read& read) {
 }  // namespace
 
 const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
-    static const std::vector<std::unique_ptr<FileFormat>> formats = [] {
+    // Never destroyed: a thread that looks into a file on a slow disk may outlast main().
+    static const auto& formats = *new const std::vector<std::unique_ptr<FileFormat>>([] {
         std::vector<std::unique_ptr<FileFormat>> all;
         all.push_back(std::make_unique<LasFormat>());
         all.push_back(std::make_unique<E57Format>());
@@ -152,7 +153,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<TextFormat>());
         all.push_back(std::make_unique<EinscanMarkers>());
         return all;
-    }();
+    }());
     return formats;
 }
 
@@ -196,6 +197,7 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     present(*info);
     Result<InputHash> hash = hashInput(file, info->companions, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
+    if (const Status same = companionsAsRead(*info); !same) return fail(same.error());
     info->sha256 = std::move(hash->sha256);
     return info;
 }

@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -21,12 +20,12 @@ struct Descriptor {
     }
 };
 
-std::atomic<std::size_t> broken{0};
+thread_local std::size_t broken = 0;
 
 }  // namespace
 
 std::size_t MappedFile::brokenReads() {
-    return broken.load();
+    return broken;
 }
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
