@@ -1,7 +1,6 @@
 #include "app/importer/Streams.h"
 
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,11 +11,12 @@
 namespace vestige::importer {
 
 std::span<const std::byte> mapped(int descriptor) {
-    struct stat facts {};
-    if (::fstat(descriptor, &facts) != 0)
+    // fstat() of some C libraries is a call that takes names of files, which is not allowed here.
+    const off_t end = ::lseek(descriptor, 0, SEEK_END);
+    if (end < 0)
         throw ErrorException{{ErrorCode::input, "the file cannot be read", {}, std::strerror(errno)}};
-    if (facts.st_size == 0) return {};
-    const auto size = static_cast<std::size_t>(facts.st_size);
+    if (end == 0) return {};
+    const auto size = static_cast<std::size_t>(end);
     void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
     if (data == MAP_FAILED) throw std::bad_alloc();
     return {static_cast<const std::byte*>(data), size};

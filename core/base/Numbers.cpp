@@ -1,8 +1,10 @@
 #include "core/base/Numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace vestige {
 namespace {
@@ -45,6 +47,11 @@ std::optional<double> parseReal(std::string_view text) {
 }
 std::optional<std::int64_t> parseInteger(std::string_view text) {
     return parseWhole<std::int64_t>(text);
+}
+
+float toFloat(double value) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isfinite(value) ? std::clamp(value, -kLargest, kLargest) : value);
 }
 
 }  // namespace vestige

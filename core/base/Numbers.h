@@ -19,4 +19,8 @@ std::string fixedText(double value, int decimals);
 std::optional<double> parseReal(std::string_view text);
 std::optional<std::int64_t> parseInteger(std::string_view text);
 
+/// The nearest float; the largest one for numbers beyond it, for which a conversion is undefined. What is
+/// infinite or no number stays so.
+float toFloat(double value);
+
 }  // namespace vestige

@@ -96,7 +96,7 @@ void finishEarlier(const fs::path& place) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path place) : place_(fs::absolute(std::move(place)).lexically_normal()) {
+OutputFolder::OutputFolder(const fs::path& place) : place_(fs::absolute(place).lexically_normal()) {
     if (!place_.has_filename()) place_ = place_.parent_path();
     temporary_ = place_.parent_path() / (prefixOf(place_) + ownerMark());
 }

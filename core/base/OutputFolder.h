@@ -13,7 +13,7 @@ namespace vestige {
 /// the final folder is untouched.
 class OutputFolder {
   public:
-    explicit OutputFolder(std::filesystem::path place);
+    explicit OutputFolder(const std::filesystem::path& place);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;

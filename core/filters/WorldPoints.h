@@ -4,7 +4,9 @@
 
 namespace vestige {
 
-/// PointCloud::point for the innermost loops, which the compiler does not make a call of.
+/// PointCloud::point for the innermost loops, which the compiler does not make a call of, and without going to
+/// the nearest place of a LAS file's grid: below half a step of it off (CoordinateGrid), far below what filters
+/// and registration tell apart.
 class WorldPoints {
   public:
     explicit WorldPoints(const PointCloud& cloud)

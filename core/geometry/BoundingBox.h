@@ -15,6 +15,10 @@ struct BoundingBox {
     bool empty() const { return !(min.array() <= max.array()).all(); }
     void add(const Eigen::Vector3d& point);
     void add(const BoundingBox& other);
+    /// Its faces belong to it.
+    bool contains(const Eigen::Vector3d& point) const {
+        return (point.array() >= min.array()).all() && (point.array() <= max.array()).all();
+    }
     Eigen::Vector3d centre() const { return 0.5 * (min + max); }
     Eigen::Vector3d extent() const { return empty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(max - min); }
     double diagonal() const { return extent().norm(); }

@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/Parallel.h"
+#include "core/geometry/Selected.h"
 
 namespace vestige {
 namespace {
 
-constexpr std::size_t kGrain = 65536;
-
 bool isWord(float value) {
     return value >= 0 && value <= 65535 && value == std::floor(value) && !std::signbit(value);
-}
-
-template <class Value>
-LargeArray<Value> selected(const LargeArray<Value>& all, std::span<const std::uint32_t> indices) {
-    LargeArray<Value> chosen;
-    if (all.empty()) return chosen;
-    chosen.resizeToFill(indices.size());
-    parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) chosen[i] = all[indices[i]];
-    });
-    return chosen;
 }
 
 }  // namespace

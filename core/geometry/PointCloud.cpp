@@ -4,25 +4,12 @@
 
 #include "core/base/Parallel.h"
 #include "core/geometry/PointCloudBuilder.h"
+#include "core/geometry/Selected.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kGrain = 16384;
-
-template <class Array>
-Array selected(const Array& all, std::span<const std::uint32_t> indices) {
-    Array chosen;
-    if (all.empty()) return chosen;
-    if constexpr (requires { chosen.resizeToFill(indices.size()); })
-        chosen.resizeToFill(indices.size());
-    else
-        chosen.resize(indices.size());
-    parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) chosen[i] = all[indices[i]];
-    });
-    return chosen;
-}
 
 }  // namespace
 

@@ -10,17 +10,13 @@ namespace {
 
 constexpr std::uint32_t kDropped = std::numeric_limits<std::uint32_t>::max();
 
-bool inside(const BoundingBox& box, const Eigen::Vector3d& point) {
-    return (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
-}
-
 TriangleMesh chosenPart(const TriangleMesh& whole, const ReadOptions& options) {
     const PointCloud& cloud = whole.vertices;
     const std::uint32_t every = whole.isMesh() ? 1 : std::max<std::uint32_t>(1, options.keepEvery);
     std::vector<std::uint32_t> kept;
     std::uint32_t met = 0;
     for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-        if (options.box && !inside(*options.box, cloud.point(i))) continue;
+        if (options.box && !options.box->contains(cloud.point(i))) continue;
         if (met++ % every == 0) kept.push_back(i);
     }
     TriangleMesh part;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/io/AttributeNames.h"
+
 namespace vestige {
 
 void describeGeometry(const TriangleMesh& geometry, FileInfo& info) {
@@ -11,18 +13,14 @@ void describeGeometry(const TriangleMesh& geometry, FileInfo& info) {
     info.triangles = geometry.triangles.size();
     info.bounds = geometry.vertices.bounds();
     const PointAttributes& attributes = geometry.vertices.attributes();
-    info.attributes.clear();
-    const auto name = [&](bool present, const char* text) {
-        if (present) info.attributes.emplace_back(text);
-    };
-    name(!attributes.intensity.empty(), "intensity");
-    name(!attributes.color.empty(), "color");
-    name(!attributes.classification.empty(), "classification");
-    name(!attributes.gpsTime.empty(), "gps_time");
-    name(!attributes.normal.empty(), "normals");
-    name(!attributes.pointSource.empty(), "point_source");
-    name(!attributes.returnNumber.empty(), "return_number");
-    name(!attributes.returnCount.empty(), "return_count");
+    info.attributes = attributeNames({.intensity = !attributes.intensity.empty(),
+                                      .color = !attributes.color.empty(),
+                                      .classification = !attributes.classification.empty(),
+                                      .gpsTime = !attributes.gpsTime.empty(),
+                                      .normals = !attributes.normal.empty(),
+                                      .pointSource = !attributes.pointSource.empty(),
+                                      .returnNumber = !attributes.returnNumber.empty(),
+                                      .returnCount = !attributes.returnCount.empty()});
     info.timeSpan.reset();
     for (const double time : attributes.gpsTime) {
         if (!std::isfinite(time)) continue;

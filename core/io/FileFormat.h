@@ -41,6 +41,12 @@ class FileFormat {
     /// False for formats that are only recognised, to say what to do instead; open dialogs leave them out.
     virtual bool canRead() const { return true; }
     virtual bool canWrite() const { return false; }
+    /// True when read() leaves out what the options leave out while it reads, so that a part takes no more
+    /// memory than it has.
+    virtual bool readsParts() const { return false; }
+    /// True when read() with ReadOptions::salvage may give part of a file that it else refuses, without
+    /// saying so in the refusal.
+    virtual bool salvagesUnasked() const { return false; }
     /// True when the format fixes its coordinates to metres.
     virtual bool writesMetres() const { return false; }
     /// True when the first bytes (up to 4096) are of this format; text formats may go by the extension.

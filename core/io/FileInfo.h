@@ -54,6 +54,8 @@ struct FileInfo {
     std::string version;  ///< "1.4, point format 7"; empty where a format has none
     std::uint64_t points = 0;
     std::uint64_t triangles = 0;
+    std::uint64_t heldToRead =
+        0;               ///< points that are held while a part of them is picked out; 0 where none are
     BoundingBox bounds;  ///< in the file's unit
     std::optional<Eigen::Vector3d> scale;
     std::optional<Eigen::Vector3d> offset;

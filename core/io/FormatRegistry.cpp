@@ -14,6 +14,7 @@
 #include "core/io/CrsUnits.h"
 #include "core/io/InputHash.h"
 #include "core/io/MappedFile.h"
+#include "core/io/ReadJob.h"
 #include "core/io/formats/E57Format.h"
 #include "core/io/formats/EinscanMarkers.h"
 #include "core/io/formats/GltfFormat.h"
@@ -130,6 +131,21 @@ Result<T> whileUnchanged(const std::filesystem::path& file, const Read& read) {
     return result;
 }
 
+/// Indices of points have 32 bits.
+constexpr std::size_t kMostPoints = 0xfffffff0;
+
+/// Adds to a refusal what salvaging would give, for formats that find out only by doing it.
+void offerWhatIsWhole(const FileFormat& format, const std::filesystem::path& file, const JobControl& control,
+                      Error& error) {
+    if (error.code != ErrorCode::input || error.salvageable || !format.salvagesUnasked()) return;
+    ReadOptions salvage;
+    salvage.attributes = ReadOptions::Attributes::drawn;
+    salvage.salvage = true;
+    const Result<LoadedGeometry> part = format.read(file, salvage, control);
+    if (part && !part->geometry.vertices.empty())
+        offerSalvage(error, counted(part->geometry.vertices.size(), "point"));
+}
+
 }  // namespace
 
 const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
@@ -207,38 +223,53 @@ Result<FileInfo> peekFile(const std::filesystem::path& file, const JobControl& c
     if (!format) return fail(format.error());
     Result<FileInfo> info = (*format)->peek(file, control);
     if (!info) return refused<FileInfo>(info.error());
+    if (!(*format)->readsParts()) info->heldToRead = info->points;
     present(*info);
     return info;
 }
 
 Result<std::optional<LoadedGeometry>> previewFile(const std::filesystem::path& file, std::size_t points,
                                                   const JobControl& control) {
-    const Result<const FileFormat*> format = formatOfFile(file);
-    if (!format) return fail(format.error());
-    auto look = (*format)->preview(file, points, control);
-    if (!look || !*look) return look;
-    if (const Status usable = checkCoordinates(file, (*look)->geometry.vertices); !usable)
-        return fail(usable.error());
-    tellUnits((*look)->info);
-    return look;
+    using Look = std::optional<LoadedGeometry>;
+    return guarded(file.string(), [&]() -> Result<Look> {
+        const Result<const FileFormat*> format = formatOfFile(file);
+        if (!format) return fail(format.error());
+        Result<Look> look =
+            whileUnchanged<Look>(file, [&] { return (*format)->preview(file, points, control); });
+        if (!look) return refused<Look>(look.error());
+        if (!*look) return look;
+        if (const Status usable = checkCoordinates(file, (*look)->geometry.vertices); !usable)
+            return fail(usable.error());
+        present((*look)->info);
+        return look;
+    });
 }
 
 Result<LoadedGeometry> readGeometry(const std::filesystem::path& file, const ReadOptions& options,
                                     const JobControl& control) {
-    const Result<const FileFormat*> format = formatOfFile(file);
-    if (!format) return fail(format.error());
-    Result<LoadedGeometry> geometry =
-        whileUnchanged<LoadedGeometry>(file, [&] { return (*format)->read(file, options, control); });
-    if (!geometry) return refused<LoadedGeometry>(geometry.error());
-    applyReadOptions(options, *geometry);
-    // Wherever warnings are read, the damage is read first.
-    if (!geometry->info.damage.empty())
-        geometry->info.warnings.insert(geometry->info.warnings.begin(), geometry->info.damage);
-    if (const Status usable = checkCoordinates(file, geometry->geometry.vertices); !usable)
-        return fail(usable.error());
-    present(geometry->info);
-    control.progress(1, "reading");
-    return geometry;
+    return guarded(file.string(), [&]() -> Result<LoadedGeometry> {
+        const Result<const FileFormat*> format = formatOfFile(file);
+        if (!format) return fail(format.error());
+        Result<LoadedGeometry> geometry =
+            whileUnchanged<LoadedGeometry>(file, [&] { return (*format)->read(file, options, control); });
+        if (!geometry) {
+            Error error = geometry.error();
+            if (!options.salvage) offerWhatIsWhole(**format, file, control, error);
+            return refused<LoadedGeometry>(std::move(error));
+        }
+        if (geometry->geometry.vertices.size() > kMostPoints)
+            return fail(ErrorCode::input, "the file holds more points than Vestige can number", file.string(),
+                        "expected: at most " + std::to_string(kMostPoints) + "; load a part of it");
+        applyReadOptions(options, *geometry);
+        // Wherever warnings are read, the damage is read first.
+        if (!geometry->info.damage.empty())
+            geometry->info.warnings.insert(geometry->info.warnings.begin(), geometry->info.damage);
+        if (const Status usable = checkCoordinates(file, geometry->geometry.vertices); !usable)
+            return fail(usable.error());
+        present(geometry->info);
+        control.progress(1, "reading");
+        return geometry;
+    });
 }
 
 Status writeGeometry(const std::filesystem::path& file, const TriangleMesh& geometry,

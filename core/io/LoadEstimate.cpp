@@ -22,6 +22,14 @@ std::uint64_t numberIn(const char* file) {
     return stream >> number ? number : std::numeric_limits<std::uint64_t>::max();
 }
 
+std::uint64_t cachedFiles() {
+    std::ifstream statistics("/sys/fs/cgroup/memory.stat");
+    std::string name;
+    for (std::uint64_t bytes = 0; statistics >> name >> bytes;)
+        if (name == "inactive_file") return bytes;
+    return 0;
+}
+
 std::string gigabytes(std::uint64_t bytes) {
     const auto tenths = static_cast<std::uint64_t>(std::llround(static_cast<double>(bytes) / 1e8));
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
@@ -44,17 +52,25 @@ std::string LoadEstimate::sentence() const {
 LoadEstimate estimateLoad(const FileInfo& peeked, const ReadOptions& options, bool indexed) {
     LoadEstimate estimate;
     const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
-    estimate.points = (peeked.points + every - 1) / every;
+    estimate.points = peeked.points / every + (peeked.points % every == 0 ? 0 : 1);
     std::uint64_t perPoint = kDrawnBytes + (indexed ? kIndexPeakBytes : 0);
     if (options.attributes == ReadOptions::Attributes::all) perPoint += kOtherAttributesBytes;
-    estimate.bytes = estimate.points * perPoint + peeked.triangles * kTriangleBytes;
+    // In double: a header may promise anything.
+    const auto bytesOf = [](std::uint64_t count, std::uint64_t each) {
+        return static_cast<double>(count) * static_cast<double>(each);
+    };
+    const double whole = bytesOf(peeked.heldToRead, kDrawnBytes + kOtherAttributesBytes);
+    const double fixed = bytesOf(peeked.triangles, kTriangleBytes) + (options.wholeFile() ? 0.0 : whole);
+    const double bytes = fixed + bytesOf(estimate.points, perPoint);
+    estimate.bytes = static_cast<std::uint64_t>(std::min(bytes, 1e18));
     estimate.availableBytes = availableMemory();
     const double usable = kShareToUse * static_cast<double>(estimate.availableBytes);
-    if (static_cast<double>(estimate.bytes) > usable) {
-        const double needed =
-            std::ceil(static_cast<double>(peeked.points * perPoint) / std::max(usable, 1.0));
-        estimate.keepEveryToFit = static_cast<std::uint32_t>(std::min(needed, 4e9));
-    }
+    if (bytes <= usable) return estimate;
+    // A part is picked out of the whole where the format is read whole.
+    const double left = usable - bytesOf(peeked.triangles, kTriangleBytes) - whole;
+    estimate.partsHelp = left > 0;
+    const double needed = left > 0 ? std::ceil(bytesOf(peeked.points, perPoint) / left) : 4e9;
+    estimate.keepEveryToFit = static_cast<std::uint32_t>(std::clamp(needed, 2.0, 4e9));
     return estimate;
 }
 
@@ -69,7 +85,9 @@ std::uint64_t availableMemory() {
         break;
     }
     const std::uint64_t limit = numberIn("/sys/fs/cgroup/memory.max");
-    const std::uint64_t used = numberIn("/sys/fs/cgroup/memory.current");
+    // Files that were read count as used until somebody needs the memory.
+    const std::uint64_t counted = numberIn("/sys/fs/cgroup/memory.current");
+    const std::uint64_t used = counted - std::min(counted, cachedFiles());
     if (limit != std::numeric_limits<std::uint64_t>::max() && used < limit)
         available = std::min(available, limit - used);
     return available;

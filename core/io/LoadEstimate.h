@@ -14,6 +14,7 @@ struct LoadEstimate {
     std::uint64_t bytes = 0;           ///< at the peak, index included
     std::uint64_t availableBytes = 0;  ///< of this machine or its container, now
     std::uint32_t keepEveryToFit = 1;  ///< the smallest thinning that fits
+    bool partsHelp = true;             ///< false where the format has to be read whole, and does not fit
 
     bool fits() const { return keepEveryToFit <= 1; }
     /// "130 000 000 points need 4.2 GB, 3.1 GB are free": for the user.

@@ -3,22 +3,15 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "core/base/Descriptor.h"
+
 namespace vestige {
 namespace {
-
-/// Closes a file descriptor when it goes.
-struct Descriptor {
-    int number;
-    ~Descriptor() {
-        if (number >= 0) ::close(number);
-    }
-};
 
 thread_local std::size_t broken = 0;
 
@@ -29,9 +22,9 @@ std::size_t MappedFile::brokenReads() {
 }
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
-    const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat facts {};
-    if (descriptor.number < 0 || ::fstat(descriptor.number, &facts) != 0)
+    if (descriptor.number() < 0 || ::fstat(descriptor.number(), &facts) != 0)
         return fail(ErrorCode::input, "the file cannot be opened for reading", file.string(),
                     std::strerror(errno));
     if (S_ISDIR(facts.st_mode))
@@ -42,7 +35,7 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
         return fail(ErrorCode::input, "the file is empty", file.string() + ", byte 0",
                     "expected: a point cloud or a mesh");
     const auto size = static_cast<std::size_t>(facts.st_size);
-    void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor.number, 0);
+    void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor.number(), 0);
     if (data == MAP_FAILED)
         return fail(ErrorCode::input, "the file cannot be read", file.string(), std::strerror(errno));
     ::madvise(data, size, MADV_SEQUENTIAL);

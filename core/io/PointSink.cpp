@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Numbers.h"
 #include "core/io/Coordinates.h"
+#include "core/io/FieldValues.h"
 
 namespace vestige {
-namespace {
-
-template <class Number>
-Number clamped(double value, double largest) {
-    if (std::isnan(value)) return 0;
-    return static_cast<Number>(std::nearbyint(std::clamp(value, 0.0, largest)));
-}
-
-}  // namespace
 
 PointSink::PointSink(const std::vector<PointField>& fields, ColorDepth depth)
     : fields_(fields), depth_(depth) {
@@ -65,34 +58,13 @@ bool PointSink::add(const double* row) {
     PointAttributes& attributes = builder_.attributes();
     for (const auto& [field, column] : columns_) {
         const double value = row[column];
-        switch (field) {
-            case PointField::intensity:
-                attributes.intensity.push_back(static_cast<float>(value));
-                break;
-            case PointField::gpsTime:
-                attributes.gpsTime.push_back(value);
-                break;
-            case PointField::classification:
-                attributes.classification.push_back(clamped<std::uint8_t>(value, 255));
-                break;
-            case PointField::pointSource:
-                attributes.pointSource.push_back(clamped<std::uint16_t>(value, 65535));
-                break;
-            case PointField::returnNumber:
-                attributes.returnNumber.push_back(clamped<std::uint8_t>(value, 255));
-                break;
-            case PointField::returnCount:
-                attributes.returnCount.push_back(clamped<std::uint8_t>(value, 255));
-                break;
-            case PointField::packedColor: {
-                const auto packed = clamped<std::uint32_t>(value, 4294967295.0);
-                attributes.color.push_back({static_cast<std::uint16_t>((packed >> 16 & 255) * 257),
-                                            static_cast<std::uint16_t>((packed >> 8 & 255) * 257),
-                                            static_cast<std::uint16_t>((packed & 255) * 257)});
-                break;
-            }
-            default:
-                break;
+        if (field == PointField::packedColor) {
+            const auto packed = nearestInteger<std::uint32_t>(value);
+            attributes.color.push_back({static_cast<std::uint16_t>((packed >> 16 & 255) * 257),
+                                        static_cast<std::uint16_t>((packed >> 8 & 255) * 257),
+                                        static_cast<std::uint16_t>((packed & 255) * 257)});
+        } else {
+            appendValue(attributes, field, value);
         }
     }
     return true;
@@ -108,14 +80,13 @@ bool PointSink::addRecords(const std::byte* body, std::size_t points, RecordLayo
 
 void PointSink::addColor(double red, double green, double blue) {
     if (depth_ == ColorDepth::guess) {
-        undecidedColors_.emplace_back(static_cast<float>(red), static_cast<float>(green),
-                                      static_cast<float>(blue));
+        undecidedColors_.emplace_back(toFloat(red), toFloat(green), toFloat(blue));
         return;
     }
-    const double largest = depth_ == ColorDepth::bytes ? 255 : 65535;
-    const auto scale = static_cast<std::uint16_t>(depth_ == ColorDepth::bytes ? 257 : 1);
     const auto channel = [&](double value) {
-        return static_cast<std::uint16_t>(clamped<std::uint16_t>(value, largest) * scale);
+        return depth_ == ColorDepth::bytes
+                   ? static_cast<std::uint16_t>(nearestInteger<std::uint8_t>(value) * 257)
+                   : nearestInteger<std::uint16_t>(value);
     };
     builder_.attributes().color.push_back({channel(red), channel(green), channel(blue)});
 }
@@ -129,7 +100,7 @@ void PointSink::finishColors() {
     colors.reserve(undecidedColors_.size());
     for (const Eigen::Vector3f& color : undecidedColors_) {
         Color& stored = colors.emplace_back();
-        for (int i = 0; i < 3; ++i) stored[i] = clamped<std::uint16_t>(scale * color[i], 65535);
+        for (int i = 0; i < 3; ++i) stored[i] = nearestInteger<std::uint16_t>(scale * color[i]);
     }
 }
 

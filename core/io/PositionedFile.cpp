@@ -10,23 +10,17 @@
 namespace vestige {
 
 Result<PositionedFile> PositionedFile::open(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
+    Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (descriptor.number() < 0)
         return fail(ErrorCode::input, "the file cannot be opened for reading", file.string(),
                     std::strerror(errno));
-    return PositionedFile(descriptor);
+    return PositionedFile(std::move(descriptor));
 }
-
-PositionedFile::~PositionedFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-PositionedFile::PositionedFile(PositionedFile&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 bool PositionedFile::readAt(std::size_t offset, std::span<std::byte> bytes) const {
     while (!bytes.empty()) {
-        const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        const ssize_t got =
+            ::pread(descriptor_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;
         offset += static_cast<std::size_t>(got);

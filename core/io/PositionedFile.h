@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <utility>
 
+#include "core/base/Descriptor.h"
 #include "core/base/Result.h"
 
 namespace vestige {
@@ -14,16 +16,12 @@ class PositionedFile {
   public:
     /// ErrorCode::input when the file cannot be opened.
     static Result<PositionedFile> open(const std::filesystem::path& file);
-    ~PositionedFile();
-    PositionedFile(PositionedFile&& other) noexcept;
-    PositionedFile& operator=(PositionedFile&&) = delete;
-
     /// Fills `bytes` from byte `offset` of the file on; false when the file ends before or a device fails.
     bool readAt(std::size_t offset, std::span<std::byte> bytes) const;
 
   private:
-    explicit PositionedFile(int descriptor) : descriptor_(descriptor) {}
-    int descriptor_ = -1;
+    explicit PositionedFile(Descriptor descriptor) : descriptor_(std::move(descriptor)) {}
+    Descriptor descriptor_;
 };
 
 }  // namespace vestige

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <span>
 
+#include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
 #include "core/geometry/PointCloudBuilder.h"
 #include "core/io/Coordinates.h"
+#include "core/io/FieldValues.h"
 
 namespace vestige {
 namespace {
@@ -252,12 +255,6 @@ class Records {
         colorScale_ = 65535 / largest;
     }
 
-    template <class Number>
-    static Number clamped(double value, double largest) {
-        if (std::isnan(value)) return 0;
-        return static_cast<Number>(std::nearbyint(std::clamp(value, 0.0, largest)));
-    }
-
     void setAttribute(const RecordColumn& column, std::size_t first, std::size_t many, Block& values) {
         using enum PointField;
         if (column.field == none || column.field == x || column.field == y || column.field == z) return;
@@ -267,14 +264,16 @@ class Records {
         };
         const auto channel = [&](std::size_t which) {
             each([&](std::size_t i, double value) {
-                attributes_.color[i][which] = clamped<std::uint16_t>(colorScale_ * value, 65535);
+                attributes_.color[i][which] = nearestInteger<std::uint16_t>(colorScale_ * value);
             });
         };
         const auto normal = [&](int axis) {
             // Doubles that are no unit vectors are made so at the end; what a float cannot hold is no
             // direction.
             each([&](std::size_t i, double value) {
-                attributes_.normal[i][axis] = static_cast<float>(value);
+                attributes_.normal[i][axis] = std::abs(value) <= std::numeric_limits<float>::max()
+                                                  ? static_cast<float>(value)
+                                                  : std::numeric_limits<float>::quiet_NaN();
             });
         };
         switch (column.field) {
@@ -292,7 +291,7 @@ class Records {
                 return normal(2);
             case packedColor:
                 return each([&](std::size_t i, double value) {
-                    const auto packed = clamped<std::uint32_t>(value, 4294967295.0);
+                    const auto packed = nearestInteger<std::uint32_t>(value);
                     for (std::size_t which = 0; which < 3; ++which)
                         attributes_.color[i][which] =
                             static_cast<std::uint16_t>((packed >> (16 - 8 * which) & 255) * 257);
@@ -302,25 +301,25 @@ class Records {
                     if (wordsOnly_)
                         words_[i] = static_cast<std::uint16_t>(value);
                     else
-                        intensities_[i] = static_cast<float>(value);
+                        intensities_[i] = toFloat(value);
                 });
             case classification:
                 return each([&](std::size_t i, double value) {
-                    attributes_.classification[i] = clamped<std::uint8_t>(value, 255);
+                    attributes_.classification[i] = nearestInteger<std::uint8_t>(value);
                 });
             case gpsTime:
                 return each([&](std::size_t i, double value) { attributes_.gpsTime[i] = value; });
             case pointSource:
                 return each([&](std::size_t i, double value) {
-                    attributes_.pointSource[i] = clamped<std::uint16_t>(value, 65535);
+                    attributes_.pointSource[i] = nearestInteger<std::uint16_t>(value);
                 });
             case returnNumber:
                 return each([&](std::size_t i, double value) {
-                    attributes_.returnNumber[i] = clamped<std::uint8_t>(value, 255);
+                    attributes_.returnNumber[i] = nearestInteger<std::uint8_t>(value);
                 });
             case returnCount:
                 return each([&](std::size_t i, double value) {
-                    attributes_.returnCount[i] = clamped<std::uint8_t>(value, 255);
+                    attributes_.returnCount[i] = nearestInteger<std::uint8_t>(value);
                 });
             default:
                 return;

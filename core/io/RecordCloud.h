@@ -35,9 +35,10 @@ struct RecordLayout {
     ColorDepth depth = ColorDepth::guess;
 };
 
-/// The cloud that PointSink makes of the same rows, by many threads. Nothing where a coordinate is not
-/// usable: reading row by row then tells what to say of it. `body` holds all `points` points. Throws
-/// ErrorException when cancelled.
+/// The cloud that PointSink makes of the same rows, by many threads. The same up to rounding: colours are
+/// scaled before they are rounded, not behind it, and normals are floats before they are of unit length.
+/// Nothing where a coordinate is not usable: reading row by row then tells what to say of it. `body` holds
+/// all `points` points. Throws ErrorException when cancelled.
 std::optional<PointCloud> readRecords(const std::byte* body, std::size_t points, const RecordLayout& layout,
                                       const ReadJob& job);
 

@@ -90,6 +90,9 @@ Error tooLarge(const std::filesystem::path& file, const LoadEstimate& estimate, 
 }
 
 std::string commandLineOffer(const LoadEstimate& estimate) {
+    if (!estimate.partsHelp)
+        return "this format is read whole before a part is taken; expected: more memory, or the file as LAS "
+               "or LAZ";
     const std::string every = std::to_string(estimate.keepEveryToFit);
     return "--every " + every + " takes every " + every +
            "th point, --box xmin,ymin,zmin,xmax,ymax,zmax a part; a case says \"keep_every\" or \"box\" of a "

@@ -13,8 +13,7 @@ PointCloud cropped(const PointCloud& cloud, double metresPerUnit, const Bounding
     std::vector<std::vector<std::uint32_t>> parts((cloud.size() + kGrain - 1) / kGrain);
     parallelChunks(cloud.size(), kGrain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::Vector3d point = metresPerUnit * cloud.point(i);
-            if ((point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all())
+            if (box.contains(metresPerUnit * cloud.point(i)))
                 parts[chunk].push_back(static_cast<std::uint32_t>(i));
         }
     });

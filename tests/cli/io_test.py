@@ -109,6 +109,24 @@ class IoCli(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("the file is damaged", done.stderr)
 
+    def test_half_a_file_gives_half_its_points_where_that_is_asked(self):
+        rows = [f"{i % 50},{i // 50},{i % 7},{i % 256},{i % 256},3" for i in range(2000)]
+        self.cloud.write_text("x,y,z,red,green,blue\n" + "\n".join(rows) + "\n")
+        for name in ("half.las", "half.ply", "half.pcd"):
+            half, out = self.path / name, self.path / "out.csv"
+            self.assertEqual(run("convert", self.cloud, half).returncode, 0)
+            half.write_bytes(half.read_bytes()[:half.stat().st_size // 2])
+            refused = run("convert", half, out)
+            self.assertEqual(refused.returncode, 3, name)
+            self.assertIn("--salvage", refused.stderr, name)
+            done = run("convert", "--json", "--salvage", half, out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            points = json.loads(done.stdout)["points"]
+            self.assertGreater(points, 800, name)
+            self.assertLess(points, 1001, name)
+            self.assertEqual(len(out.read_text().splitlines()), points + 1)
+            out.unlink()
+
     def test_hostile_files_end_with_a_sentence(self):
         head = b"ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n"
         hostile = {

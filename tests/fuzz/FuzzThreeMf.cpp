@@ -2,9 +2,12 @@
 // sends and the geometry that comes of it. Without lib3mf, which is why that is a process of its own. The
 // input is an archive; else a model part, and behind a zero byte a second one, packed into an archive here.
 #include <cstring>
+#include <optional>
 
 #include "app/importer/ThreeMfCheck.h"
 #include "app/importer/ThreeMfModel.h"
+#include "core/base/CleanText.h"
+#include "core/io/CleanTexts.h"
 #include "core/io/importer/ImportedScene.h"
 #include "tests/core/io/ZipText.h"
 #include "tests/fuzz/FuzzFile.h"
@@ -25,16 +28,22 @@ std::string archiveOf(const std::string& input) {
     return test::zipOf(parts);
 }
 
-std::string whatTheChildSends(const std::string& archive) {
-    std::string sent;
+struct Sent {
+    std::string bytes;
+    std::optional<std::string> refusal;
+};
+
+Sent whatTheChildSends(const std::string& archive) {
+    Sent sent;
     ImportSender sender([&](std::span<const std::byte> bytes) {
-        sent.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        sent.bytes.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     });
     try {
         importer::sendThreeMf(std::as_bytes(std::span(archive)), sender);
         sender.end();
     } catch (const ErrorException& thrown) {
         sender.refusal(thrown.error.message, thrown.error.hint);
+        sent.refusal = thrown.error.message;
     }
     return sent;
 }
@@ -46,8 +55,8 @@ importer::ThreeMfVerdict vestige::importer::checkThreeMf(std::span<const std::by
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string sent =
-        whatTheChildSends(archiveOf(std::string(reinterpret_cast<const char*>(data), size)));
+    const Sent child = whatTheChildSends(archiveOf(std::string(reinterpret_cast<const char*>(data), size)));
+    const std::string& sent = child.bytes;
     const std::filesystem::path file = "input.3mf";
     std::size_t at = 0;
     ReadJob job(file, {});
@@ -61,9 +70,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     });
     if (!read) {
         fuzz::checkError(read.error(), file);
-        if (read.error().message.find("sent no geometry") != std::string::npos)
-            fuzz::finding("what is sent cannot be received: " + read.error().sentence());
+        // A refusal may quote any words of the file, these too.
+        const bool received =
+            child.refusal
+                ? read.error().message == cleanText(*child.refusal, kLongestSentence)
+                : !read.error().message.starts_with("the separate reader of this format sent no geometry");
+        if (!received) fuzz::finding("what is sent cannot be received: " + read.error().sentence());
     }
+    if (read && child.refusal) fuzz::finding("a refusal was received as geometry: " + *child.refusal);
     for (const std::string& warning : job.warnings()) fuzz::checkSentence(warning);
     return 0;
 }

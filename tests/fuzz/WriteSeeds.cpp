@@ -8,6 +8,8 @@
 #include "core/io/Bytes.h"
 #include "core/io/FormatRegistry.h"
 #include "core/io/importer/ImporterProtocol.h"
+#include "core/scene/CaseFile.h"
+#include "core/scene/store/CaseStore.h"
 #include "tests/core/io/E57Craft.h"
 #include "tests/core/io/S3mbFiles.h"
 
@@ -34,12 +36,16 @@ TriangleMesh smallGeometry(std::size_t points, bool triangles) {
     return mesh;
 }
 
+std::string contentOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 std::string written(const fs::path& folder, const std::string& extension, const TriangleMesh& geometry) {
     const fs::path file = folder / ("made." + extension);
     if (const Status done = writeGeometry(file, geometry, {}); !done)
         std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    const std::string bytes = contentOf(file);
     fs::remove(file);
     return bytes;
 }
@@ -131,6 +137,23 @@ std::string sentMeshes() {
     return sent.substr(8);
 }
 
+/// A saved case with an edit that was not, as databases.
+std::vector<std::string> storeSeeds(const fs::path& folder) {
+    const fs::path place = folder / "seed.vestige";
+    SceneState scene;
+    scene.name = "night";
+    scene.operatorName = "A. Nalyst";
+    static_cast<void>(writeCase(place, scene));
+    const std::string saved = contentOf(place / "case.db");
+    if (auto store = CaseStore::open(place)) {
+        scene.operatorName = "B. Nalyst";
+        static_cast<void>((*store)->append({{"case details", scene}}));
+    }
+    std::vector<std::string> seeds{saved, contentOf(place / "case.db")};
+    fs::remove_all(place);
+    return seeds;
+}
+
 std::vector<std::string> seedsOf(const std::string& target, const fs::path& folder) {
     if (target == "laz" || target == "copc") {
         const std::string small = written(folder, "laz", smallGeometry(40, false));
@@ -144,6 +167,7 @@ std::vector<std::string> seedsOf(const std::string& target, const fs::path& fold
                     "point3D":{"x":499999.125,"y":4400000.5,"z":31}})"),
                 test::s3mbIndex("Replace", {"./tile.s3mb"}, R"(,"position":{"unit":"Degree",
                     "point3D":{"x":116,"y":40,"z":31}})")};
+    if (target == "store") return storeSeeds(folder);
     if (target == "protocol") return {sentMeshes()};
     return {};
 }

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Fuzzes the readers: run.sh [--built] [SECONDS each, default 600] [TARGET...]. Builds the preset `fuzz` first, unless told that
-# it is built. Corpora grow in build/fuzz/corpus; a finding stays in build/fuzz/findings and ends with exit 1.
+# Fuzzes the readers. run.sh [SECONDS each, default 600] [TARGET...] builds the preset `fuzz` first and is a search: corpora grow
+# in build/fuzz/corpus. run.sh --built [INPUTS each, default 1000] [TARGET...] is the short run of ./test.sh, the same every
+# time: the seeds and so many inputs made of them, whatever earlier searches found and however busy the machine is.
+# A finding stays in build/fuzz/findings and ends with exit 1.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 built=no
@@ -8,7 +10,7 @@ if [ "${1:-}" = --built ]; then
     built=yes
     shift
 fi
-seconds=${1:-600}
+amount=${1:-$([ $built = yes ] && echo 1000 || echo 600)}
 shift || true
 bin=build/fuzz/bin
 if ! command -v clang++-14 >/dev/null; then
@@ -27,15 +29,16 @@ fi
 mkdir -p build/fuzz/findings
 failed=()
 for target in "${targets[@]}"; do
-    corpus=build/fuzz/corpus/$target
     seeds=$(mktemp -d)
+    fresh=$(mktemp -d)
+    corpus=build/fuzz/corpus/$target
+    if [ $built = yes ]; then corpus=$fresh; fi
     mkdir -p "$corpus"
     python3 tests/fuzz/seeds.py "$target" "$seeds"
     "$bin/write_seeds" "$target" "$seeds"
-    options=(-max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 -print_final_stats=1
+    options=(-timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 -print_final_stats=1
         -artifact_prefix="build/fuzz/findings/$target-" -verbosity=1 -close_fd_mask=1)
-    # The short run of ./test.sh is the same every time: a test, not a search.
-    if [ $built = yes ]; then options+=(-seed=1 -runs=2000); fi
+    if [ $built = yes ]; then options+=(-seed=1 -runs="$amount"); else options+=(-max_total_time="$amount"); fi
     dictionary=tests/fuzz/dictionaries/$target.dict
     if [ -e "$dictionary" ]; then options+=(-dict="$dictionary"); fi
     log=build/fuzz/findings/$target.log
@@ -49,7 +52,7 @@ for target in "${targets[@]}"; do
         failed+=("$target")
         grep -m 5 -E "finding:|ERROR|SUMMARY|runtime error|Test unit written" "$log" || tail -n 5 "$log"
     fi
-    rm -rf "$seeds"
+    rm -rf "$seeds" "$fresh"
     rm -rf /dev/shm/vestige-fuzz-"$target"-*
 done
 [ ${#failed[@]} -eq 0 ]

@@ -75,7 +75,9 @@ QString sensorText(const FileInfo& info) {
 QString memoryText(const LoadEstimate& estimate) {
     if (estimate.points == 0) return {};
     QString text = toQt(estimate.sentence());
-    if (!estimate.fits())
+    if (!estimate.fits() && !estimate.partsHelp)
+        text += ". " + tr("It does not fit, and this format is read whole; save it as LAS or LAZ elsewhere.");
+    else if (!estimate.fits())
         text += ". " + tr("It does not fit; one point in %1 would.").arg(estimate.keepEveryToFit);
     return text;
 }

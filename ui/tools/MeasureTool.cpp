@@ -75,7 +75,10 @@ std::optional<MeasureTool::End> MeasureTool::endAt(SceneView& view, const QPoint
     if (!layer) return std::nullopt;
     // Where the layer is shown before its registration, the point is taken to where the case has the layer.
     const Eigen::Vector3d world = sceneFromLayer(*layer) * (shown.worldFromLayer.inverse() * pick->world);
-    return End{pickAt(scene, layer->id, world, pick->localSpacing_m), pick->world};
+    // A first look is thinner than the cloud: the spacing is then taken from what the layer holds later.
+    const bool whole = layer->data && !layer->data->isPreview();
+    const auto spacing = whole ? std::optional(pick->localSpacing_m) : std::nullopt;
+    return End{pickAt(scene, layer->id, world, spacing), pick->world};
 }
 
 void MeasureTool::click(SceneView& view, const QPoint& position) {

@@ -36,6 +36,9 @@ class Hierarchy {
   private:
     bool readPage(std::uint64_t offset, std::uint64_t size) {
         if (offset > file_.size() || size > file_.size() - offset || size % kEntrySize != 0) return false;
+        // Pages do not overlap; those that did could ask for any amount of memory.
+        if (size > file_.size() - read_) return false;
+        read_ += size;
         if (!seen_.insert(offset).second) return false;
         for (std::uint64_t at = offset; at < offset + size; at += kEntrySize) {
             const std::byte* entry = file_.data() + at;
@@ -62,6 +65,7 @@ class Hierarchy {
     std::span<const std::byte> file_;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> pages_;
     std::unordered_set<std::uint64_t> seen_;
+    std::uint64_t read_ = 0;
     std::vector<Entry> entries_;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/AttributeNames.h"
+
 namespace vestige {
 namespace {
 
@@ -28,19 +30,14 @@ E57Attributes::E57Attributes(const E57Document& document) {
 }
 
 std::vector<std::string> E57Attributes::names() const {
-    std::vector<std::string> texts;
-    const auto name = [&](bool present, const char* text) {
-        if (present) texts.emplace_back(text);
-    };
-    name(intensity, "intensity");
-    name(color, "color");
-    name(classification, "classification");
-    name(time, "gps_time");
-    name(normal, "normals");
-    name(source, "point_source");
-    name(returnNumber, "return_number");
-    name(returnCount, "return_count");
-    return texts;
+    return attributeNames({.intensity = intensity,
+                           .color = color,
+                           .classification = classification,
+                           .gpsTime = time,
+                           .normals = normal,
+                           .pointSource = source,
+                           .returnNumber = returnNumber,
+                           .returnCount = returnCount});
 }
 
 E57Cloud::E57Cloud(const E57Document& document, const ReadOptions& options)
@@ -81,9 +78,7 @@ void E57Cloud::add(const E57Rows& rows) {
         }
         ++ofScan_;
         seeReturn(rows, i);
-        if (options_.box && !((point.array() >= options_.box->min.array()).all() &&
-                              (point.array() <= options_.box->max.array()).all()))
-            continue;
+        if (options_.box && !options_.box->contains(point)) continue;
         if (met_++ % std::max<std::uint32_t>(1, options_.keepEvery) != 0) continue;
         builder_.add(point);
         addAttributes(rows, i);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <pugixml.hpp>
+#include <set>
 
 #include "core/io/Bytes.h"
 #include "core/io/formats/E57ScanXml.h"
@@ -78,7 +79,7 @@ void addImages(const pugi::xml_node& node, const E57Xml& xml, std::vector<ImageI
     }
 }
 
-/// No two scans share bytes: together they have no more points than the file has room for.
+/// No scan shares its section, and together they have no more points than the file has room for.
 class Room {
   public:
     explicit Room(const E57Pages& pages) : bits_(8 * pages.logicalSize()) {}
@@ -93,10 +94,14 @@ class Room {
                                " points, for which the file has no room",
                            "no more than its bytes can hold");
         (each == 0 ? withoutRoom_ : bits_) -= scan.records * std::max<std::uint64_t>(each, 1);
+        if (scan.records > 0 && !sections_.insert(scan.section).second)
+            job.refuseByte(scan.byte, "two scans are said to lie in the same section",
+                           "a section for every scan");
     }
 
   private:
     std::uint64_t bits_;
+    std::set<std::uint64_t> sections_;
     std::uint64_t withoutRoom_ = kMostRecordsWithoutRoom;
 };
 

@@ -74,7 +74,7 @@ Result<FileInfo> E57Format::peek(const std::filesystem::path& file, const JobCon
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
         ReadJob job(file, control);
-        const E57Pages pages(content->bytes(), false, job);
+        const E57Pages pages(content->bytes(), true, job);
         const E57Document document = readE57Document(pages, job);
         FileInfo info;
         info.path = file;

@@ -11,6 +11,8 @@ class E57Format : public FileFormat {
     std::vector<std::string> extensions() const override { return {"e57"}; }
     bool canWrite() const override { return true; }
     bool writesMetres() const override { return true; }
+    bool salvagesUnasked() const override { return true; }
+    bool readsParts() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
     Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const override;
     Result<std::optional<LoadedGeometry>> preview(const std::filesystem::path& file, std::size_t points,

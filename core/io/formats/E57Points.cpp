@@ -16,7 +16,13 @@ std::vector<E57Streams> streamsOf(const E57Pages& pages, const E57Document& docu
                                   const ReadJob& job) {
     std::vector<E57Streams> streams;
     streams.reserve(document.scans.size());
-    for (const E57Scan& scan : document.scans) streams.emplace_back(pages, scan, salvage, job);
+    std::uint64_t walked = 0;
+    for (const E57Scan& scan : document.scans) {
+        walked += streams.emplace_back(pages, scan, salvage, job).walked();
+        if (walked > pages.logicalSize())
+            job.refuseByte(scan.byte, "the scans have more bytes together than the file, so they share them",
+                           "bytes of its own for every scan");
+    }
     return streams;
 }
 

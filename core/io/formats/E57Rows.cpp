@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/Numbers.h"
 #include "core/io/PointSink.h"
 #include "core/io/formats/E57Time.h"
 
@@ -72,7 +73,7 @@ Eigen::Vector3d E57Rows::point(std::size_t i) const {
 }
 
 float E57Rows::intensity(std::size_t i) const {
-    return flagged(E57Role::intensityInvalid, i) ? 0 : static_cast<float>(value(E57Role::intensity, i));
+    return flagged(E57Role::intensityInvalid, i) ? 0 : toFloat(value(E57Role::intensity, i));
 }
 
 Color E57Rows::color(std::size_t i) const {

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
-#include "core/geometry/PointCloud.h"
+#include "core/io/FieldValues.h"
 #include "core/io/formats/E57Streams.h"
 
 namespace vestige {
@@ -28,12 +26,10 @@ class E57Rows {
 
     bool has(E57Role role) const { return !columns_[index(role)].empty(); }
     double value(E57Role role, std::size_t i) const { return columns_[index(role)][i]; }
-    /// The value as an integer within 0 to the type's largest.
+    /// The value as the nearest integer within 0 to the type's largest; 0 where it is no number.
     template <class Number>
     Number whole(E57Role role, std::size_t i, double plus = 0) const {
-        const double number = value(role, i) + plus;
-        return static_cast<Number>(number > 0 ? std::min<double>(number, std::numeric_limits<Number>::max())
-                                              : 0);
+        return nearestInteger<Number>(value(role, i) + plus);
     }
     float intensity(std::size_t i) const;         ///< as in the file; 0 where it is invalid
     Color color(std::size_t i) const;             ///< the limits spread to 16 bits; black where invalid

@@ -124,8 +124,8 @@ class ScanParser {
             const bool single = std::strcmp(node.attribute("precision").value(), "single") == 0;
             field.type = single ? E57Field::Type::float32 : E57Field::Type::float64;
             field.bits = single ? 32 : 64;
-            field.lowest = xml_.attribute(node, "minimum").value_or(0);
-            field.highest = xml_.attribute(node, "maximum").value_or(1);
+            field.lowest = limitOf(node, "minimum").value_or(0);
+            field.highest = limitOf(node, "maximum").value_or(1);
         } else if (type == "String") {
             field.type = E57Field::Type::text;
             field.bits = 8;
@@ -154,6 +154,13 @@ class ScanParser {
         return field;
     }
 
+    /// The limits of floats say something of colours alone; infinite ones say nothing.
+    std::optional<double> limitOf(const pugi::xml_node& node, const char* name) const {
+        const std::optional<double> limit = parseReal(trimmed(node.attribute(name).value()));
+        if (limit && !std::isfinite(*limit)) return std::nullopt;
+        return xml_.attribute(node, name);
+    }
+
     void checkFields(const pugi::xml_node& points) const {
         if (!scan_.hasAll({E57Role::x, E57Role::y, E57Role::z}) &&
             !scan_.hasAll({E57Role::range, E57Role::azimuth, E57Role::elevation}))
@@ -174,10 +181,10 @@ class ScanParser {
             auto& [low, high] = scan_.colorLimits[channel];
             low = field.lowest;
             high = field.highest;
-            // A range of the whole type is no range of colours.
-            if (high - low > 4294967296.0) {
+            // The range of a whole type is none of colours, nor is one value of a constant colour.
+            if (!(high > low) || high - low > 4294967296.0) {
+                high = low == high && high > 255 ? 65535 : 255;
                 low = 0;
-                high = 255;
             }
             const std::string name = kNames[channel];
             const auto least = scaled(limits.child((name + "Minimum").c_str()));

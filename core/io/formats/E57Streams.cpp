@@ -44,6 +44,7 @@ void E57Streams::walk(const ReadJob& job) {
                                counted(scan_.records, "point"),
                            "as many points as its XML promises");
         at += addPacket(at, end, job);
+        walked_ = at - scan_.section;
         job.step(++packets, 0);
     }
 }
@@ -124,7 +125,9 @@ void E57Streams::addPieces(std::uint64_t at, std::uint64_t length, const ReadJob
     std::uint64_t place = at + table;
     for (std::size_t i = 0; i < count; ++i) {
         const auto bytes = load<std::uint16_t>(header.data() + kPacketHeader + 2 * i);
-        if (bytes > 0 && scan_.fields[i].role != E57Role::none) {
+        // A stream that is complete grows no further, so that its pieces are no more than its bytes.
+        if (bytes > 0 && scan_.fields[i].role != E57Role::none &&
+            streams_[i].bytes < bytesOf(scan_.records, scan_.fields[i].bits)) {
             streams_[i].pieces.push_back({streams_[i].bytes, place});
             streams_[i].bytes += bytes;
         }

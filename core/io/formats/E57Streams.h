@@ -20,6 +20,8 @@ class E57Streams {
 
     std::uint64_t records() const { return records_; }
     const std::string& damage() const { return damage_; }
+    /// How many bytes of the section were walked.
+    std::uint64_t walked() const { return walked_; }
 
     /// The values of a field for the records from `first` on, as many as `values` has room for. `bytes` is
     /// room to work in.
@@ -52,6 +54,7 @@ class E57Streams {
     const E57Scan& scan_;
     std::vector<Stream> streams_;
     std::uint64_t records_ = 0;
+    std::uint64_t walked_ = 0;
     std::string damage_;
 };
 

@@ -1,10 +1,10 @@
 #include "core/io/formats/GltfBuffers.h"
 
-#include <charconv>
 #include <utility>
 
 #include "core/io/Bytes.h"
 #include "core/io/formats/Base64.h"
+#include "core/io/formats/FolderUri.h"
 
 namespace vestige {
 namespace {
@@ -12,22 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t kMagic = 0x46546c67, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
-
-/// %XX as the byte XX.
-std::string percentDecoded(std::string_view text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned char byte = 0;
-        if (text[i] == '%' && i + 2 < text.size() &&
-            std::from_chars(text.data() + i + 1, text.data() + i + 3, byte, 16).ptr == text.data() + i + 3) {
-            result += static_cast<char>(byte);
-            i += 2;
-        } else {
-            result += text[i];
-        }
-    }
-    return result;
-}
 
 /// The file that a relative address names, unless that leaves the folder of the document.
 fs::path fileBeside(const std::string& address, const ReadJob& job) {
@@ -44,8 +28,7 @@ fs::path fileBeside(const std::string& address, const ReadJob& job) {
     const fs::path found = problem ? fs::path() : fs::canonical(folder / relative, problem);
     if (problem || !fs::is_regular_file(found, problem))
         job.refuse("the buffer '" + name + "' of the document is missing", "a file beside the document");
-    const fs::path below = found.lexically_relative(folder);
-    if (below.empty() || *below.begin() == "..")
+    if (!isInside(found, folder))
         job.refuse("the buffer '" + name + "' is a link that leads out of the document's folder",
                    "a file in the document's own folder");
     return found;

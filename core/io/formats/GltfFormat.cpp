@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/io/AttributeNames.h"
 #include "core/io/Describe.h"
 #include "core/io/MappedFile.h"
 #include "core/io/formats/GltfBuffers.h"
 #include "core/io/formats/GltfScene.h"
 #include "core/io/formats/GltfWriter.h"
 #include "core/io/importer/ImporterProcess.h"
+#include "core/io/importer/ImporterProtocol.h"
 
 namespace vestige {
 namespace {
@@ -46,13 +48,31 @@ std::uint64_t mostVertices(const Parsed& parsed, std::uint64_t fileBytes) {
     return kVerticesAllowed + kRepeats * (fileBytes / kVertexBytes);
 }
 
+/// Primitives may share accessors, and instances primitives.
+void checkRepeats(const GltfScene& scene, std::uint64_t mostVertices, const ReadJob& job) {
+    const auto check = [&](const char* what, std::uint64_t GltfPrimitive::*count, std::uint64_t most) {
+        std::uint64_t sent = 0, placed = 0;
+        for (const GltfPrimitive& primitive : scene.primitives) sent += primitive.*count;
+        for (const ImportedInstance& instance : scene.instances)
+            placed += scene.primitives[instance.mesh].*count;
+        if (std::max(sent, placed) > most)
+            job.refuse(std::string("the file repeats its ") + what + " until it has " +
+                           std::to_string(std::max(sent, placed)),
+                       "at most " + std::to_string(most) + " for a file of its size");
+    };
+    check("vertices", &GltfPrimitive::vertices, mostVertices);
+    check("triangles", &GltfPrimitive::triangles, kTrianglesOfVertex * mostVertices);
+}
+
 ImportRequest requestOf(const Parsed& parsed, ReadJob& job) {
     ImportRequest request;
     request.format = "gltf";
     request.memoryBytes = importMemoryFor(parsed.scene.bytes + parsed.scene.document.size());
     request.time = importTimeFor(parsed.scene.bytes + parsed.scene.document.size());
     // Coordinates come back as double, triangles as 12 bytes for what may be three bytes of the file.
-    request.resultBytes = 65536 + 8 * parsed.scene.bytes + 256 * parsed.scene.primitives.size();
+    constexpr std::uint64_t kBlocks = 4;  // vertices, normals, colours, triangles
+    request.resultBytes =
+        65536 + 8 * parsed.scene.bytes + kBlocks * kImportBlockCost * parsed.scene.primitives.size();
     nlohmann::json words = {{"document", parsed.scene.document}, {"buffers", nlohmann::json::array()}};
     std::map<std::filesystem::path, int> numbers;
     for (const GltfBuffer& buffer : parsed.buffers) {
@@ -129,8 +149,7 @@ Result<FileInfo> GltfFormat::peek(const std::filesystem::path& file, const JobCo
                 info.bounds.add(instance.fileFromMesh * point);
             }
         }
-        if (colors) info.attributes.emplace_back("color");
-        if (normals) info.attributes.emplace_back("normals");
+        info.attributes = attributeNames({.color = colors, .normals = normals});
         return info;
     });
 }
@@ -143,14 +162,7 @@ Result<LoadedGeometry> GltfFormat::read(const std::filesystem::path& file, const
         ReadJob job(file, control);
         Parsed parsed = parse(*content, job);
         const std::uint64_t most = mostVertices(parsed, content->bytes().size());
-        std::uint64_t vertices = 0, placed = 0;
-        for (const GltfPrimitive& primitive : parsed.scene.primitives) vertices += primitive.vertices;
-        for (const ImportedInstance& instance : parsed.scene.instances)
-            placed += parsed.scene.primitives[instance.mesh].vertices;
-        if (std::max(vertices, placed) > most)
-            job.refuse(
-                "the file repeats its vertices until it has " + std::to_string(std::max(vertices, placed)),
-                "at most " + std::to_string(most) + " for a file of its size");
+        checkRepeats(parsed.scene, most, job);
         ImportedScene scene;
         if (!parsed.scene.primitives.empty()) scene = importScene(requestOf(parsed, job), job, control);
         checkAgainst(parsed.scene.primitives, scene, job);

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "core/io/AttributeNames.h"
 #include "core/io/Bytes.h"
 #include "core/io/MappedFile.h"
 #include "core/io/PointField.h"
@@ -47,23 +48,17 @@ std::uint64_t roomFor(std::uint64_t promised, std::size_t bytes, std::size_t byt
     return room;
 }
 
-/// In the order and under the names that reading gives them.
 std::vector<std::string> attributesOf(const std::set<PointField>& fields) {
     const auto has = [&](PointField field) { return fields.contains(field); };
-    std::vector<std::string> names;
-    const auto name = [&](bool present, const char* text) {
-        if (present) names.emplace_back(text);
-    };
     using enum PointField;
-    name(has(intensity), "intensity");
-    name((has(red) && has(green) && has(blue)) || has(packedColor), "color");
-    name(has(classification), "classification");
-    name(has(gpsTime), "gps_time");
-    name(has(normalX) && has(normalY) && has(normalZ), "normals");
-    name(has(pointSource), "point_source");
-    name(has(returnNumber), "return_number");
-    name(has(returnCount), "return_count");
-    return names;
+    return attributeNames({.intensity = has(intensity),
+                           .color = (has(red) && has(green) && has(blue)) || has(packedColor),
+                           .classification = has(classification),
+                           .gpsTime = has(gpsTime),
+                           .normals = has(normalX) && has(normalY) && has(normalZ),
+                           .pointSource = has(pointSource),
+                           .returnNumber = has(returnNumber),
+                           .returnCount = has(returnCount)});
 }
 
 /// Bytes of one at least.

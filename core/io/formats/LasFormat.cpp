@@ -57,7 +57,12 @@ void offerWhatIsWhole(std::span<const std::byte> file, const ReadJob& refused, E
     try {
         ReadJob job(refused.path(), {});
         const LasHeader header = parseLasHeader(file, job, true);
-        const std::uint64_t points = LasSource(file, header, job, true, true).points();
+        LasSource source(file, header, job, true, true);
+        // What is compressed shows its damage only to who decodes it.
+        const std::uint64_t points =
+            header.compressed
+                ? source.read(source.ranges(), [](std::size_t, std::uint64_t, std::span<const LasPoint>) {})
+                : source.points();
         if (points > 0) offerSalvage(error, firstOf(points, header.promisedPoints, "point"));
     } catch (const ErrorException&) {
         // Nothing of it can be read: the refusal says why.
@@ -74,6 +79,9 @@ LoadedGeometry readAsWanted(std::span<const std::byte> file, const ReadOptions& 
         if (const auto nodes = copcNodes(file, header, job)) ranges = rangesTouching(*nodes, *options.box);
     LoadedGeometry result;
     result.geometry.vertices = gatherLas(source, ranges, options, job);
+    // Damage in a file of one chunk leaves nothing that is sure.
+    if (options.wholeFile() && result.geometry.vertices.empty() && !source.damage().empty())
+        job.refuse(source.damage(), "a chunk of points that is whole");
     describeGeometry(result.geometry, result.info);
     if (drawn) {
         const LasPointLayout& layout = lasPointLayout(header.pointFormat);
@@ -122,7 +130,8 @@ Result<FileInfo> LasFormat::peek(const std::filesystem::path& file, const JobCon
         const Result<MappedFile> content = MappedFile::open(file);
         if (!content) return fail(content.error());
         ReadJob job(file, control);
-        const LasHeader header = parseLasHeader(content->bytes(), job);
+        // Whoever salvages the file looks first; whether it is whole is told when it is read.
+        const LasHeader header = parseLasHeader(content->bytes(), job, true);
         FileInfo info;
         const LasPointLayout& layout = lasPointLayout(header.pointFormat);
         info.attributes = lasAttributes(layout, layout.gpsTime != 0);
@@ -149,7 +158,7 @@ Result<std::optional<LoadedGeometry>> LasFormat::preview(const std::filesystem::
         result.geometry.vertices =
             gatherLas(source, nodes ? coarseRanges(*nodes, points) : source.sample(points), options, job);
         describeGeometry(result.geometry, result.info);
-        describeHeader(header, job, result.info);
+        describeHeader(header, job, result.info, false);
         result.heeded = true;
         return std::optional(std::move(result));
     });

@@ -12,6 +12,7 @@ class LasFormat : public FileFormat {
     std::string_view title() const override { return "LAS point cloud"; }
     std::vector<std::string> extensions() const override { return {"las", "laz"}; }
     bool canWrite() const override { return true; }
+    bool readsParts() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
     Result<FileInfo> info(const std::filesystem::path& file, const JobControl& control) const override;
     Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const override;

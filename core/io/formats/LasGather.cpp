@@ -6,17 +6,31 @@
 namespace vestige {
 namespace {
 
-bool inside(const BoundingBox& box, const Eigen::Vector3d& place) {
-    return (place.array() >= box.min.array()).all() && (place.array() <= box.max.array()).all();
-}
-
 LasNotes sumOf(std::span<const LasNotes> parts) {
     LasNotes sum;
     for (const LasNotes& part : parts) sum.add(part);
     return sum;
 }
 
-/// Every point's place is known before: threads fill the cloud directly.
+std::uint64_t sizeOf(std::span<const LasRange> ranges) {
+    std::uint64_t total = 0;
+    for (const LasRange& range : ranges) total += range.size();
+    return total;
+}
+
+/// The first `points` points of the ranges.
+std::vector<LasRange> beginningOf(std::span<const LasRange> ranges, std::uint64_t points) {
+    std::vector<LasRange> first;
+    for (const LasRange& range : ranges) {
+        const std::uint64_t many = std::min(points, range.size());
+        if (many > 0) first.push_back({range.begin, range.begin + many});
+        points -= many;
+    }
+    return first;
+}
+
+/// Every point's place is known before: threads fill the cloud directly. Of a salvaged source that met
+/// damage, what is whole is read again, so that nothing of the rest is left in the cloud.
 LasNotes gatherAll(LasSource& source, std::span<const LasRange> ranges, const ReadOptions& options,
                    LasCloud& cloud, bool exact) {
     const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
@@ -48,45 +62,46 @@ LasNotes gatherAll(LasSource& source, std::span<const LasRange> ranges, const Re
                 ++place;
             }
         });
-    if (whole < total) cloud.resize((whole + every - 1) / every);
+    if (whole < total) return gatherAll(source, beginningOf(ranges, whole), options, cloud, exact);
     return sumOf(notes);
 }
 
-/// Which points lie in the box is known only after they were read.
+/// Which points lie in the box is known only after they were looked at: they are counted first, then read
+/// again, which takes no memory but theirs.
 LasNotes gatherInside(LasSource& source, std::span<const LasRange> ranges, const ReadOptions& options,
                       LasCloud& cloud) {
     const std::uint64_t every = std::max<std::uint32_t>(1, options.keepEvery);
-    std::vector<std::vector<std::pair<std::uint64_t, LasPoint>>> found(ranges.size());
+    const auto inBox = [&](const LasPoint& point) {
+        return options.box->contains(lasPosition(source.header(), point.steps));
+    };
+    std::vector<std::uint64_t> counts(ranges.size());
     const std::uint64_t whole =
-        source.read(ranges, [&](std::size_t range, std::uint64_t first, std::span<const LasPoint> points) {
-            for (std::size_t i = 0; i < points.size(); ++i)
-                if (inside(*options.box, lasPosition(source.header(), points[i].steps)))
-                    found[range].emplace_back(first + i, points[i]);
+        source.read(ranges, [&](std::size_t range, std::uint64_t, std::span<const LasPoint> points) {
+            counts[range] += static_cast<std::uint64_t>(std::count_if(points.begin(), points.end(), inBox));
         });
-    std::uint64_t place = 0;
-    std::uint64_t base = 0;
+    if (whole < sizeOf(ranges)) return gatherInside(source, beginningOf(ranges, whole), options, cloud);
+
+    std::vector<LasRange> occupied;
+    std::vector<std::uint64_t> places;
+    std::uint64_t total = 0;
     for (std::size_t range = 0; range < ranges.size(); ++range) {
-        const auto behindDamage = [&](const auto& entry) {
-            return base + (entry.first - ranges[range].begin) >= whole;
-        };
-        std::erase_if(found[range], behindDamage);
-        base += ranges[range].size();
-        place += found[range].size();
+        if (counts[range] == 0) continue;
+        occupied.push_back(ranges[range]);
+        places.push_back(total);
+        total += counts[range];
     }
-    cloud.resize((place + every - 1) / every);
-    place = 0;
-    LasNotes notes;
-    for (auto& part : found) {
-        for (const auto& [index, point] : part) {
-            if (place % every == 0) {
-                cloud.set(place / every, point);
-                notes.add(point);
-            }
-            ++place;
+    cloud.resize((total + every - 1) / every);
+    std::vector<LasNotes> notes(occupied.size());
+    source.read(occupied, [&](std::size_t range, std::uint64_t, std::span<const LasPoint> points) {
+        for (const LasPoint& point : points) {
+            if (!inBox(point)) continue;
+            const std::uint64_t place = places[range]++;
+            if (place % every != 0) continue;
+            cloud.set(place / every, point);
+            notes[range].add(point);
         }
-        part = {};
-    }
-    return notes;
+    });
+    return sumOf(notes);
 }
 
 Eigen::Vector3d wholeUnits(const Eigen::Vector3d& place) {

@@ -133,6 +133,8 @@ std::uint64_t LasSource::read(std::span<const LasRange> ranges, const Handler& h
         } catch (const ErrorException& problem) {
             if (!salvage_ || problem.error.code != ErrorCode::input) throw;
             damages[range] = problem.error.message;
+            const std::uint64_t chunk = plan_.sureTogether;
+            whole[range] = chunk == 0 ? 0 : whole[range] / chunk * chunk;
         }
     });
     std::uint64_t count = 0;

@@ -37,8 +37,8 @@ class LasSource {
 
     /// Reads the ranges, each by one thread, and hands over blocks with the number of their range. Returns
     /// how many points of the ranges, one behind the other, are whole: all of them, unless the source
-    /// salvages and met damage, which it then keeps; points behind it may have been handed over, too. Throws
-    /// ErrorException when damaged and not salvaging, or cancelled.
+    /// salvages and met damage, which it then keeps; what was handed over behind them is not sure and must be
+    /// dropped. Throws ErrorException when damaged and not salvaging, or cancelled.
     using Handler = std::function<void(std::size_t range, std::uint64_t first, std::span<const LasPoint>)>;
     std::uint64_t read(std::span<const LasRange> ranges, const Handler& handle);
     /// The same for the bare records of an uncompressed file.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/AttributeNames.h"
 #include "core/io/formats/LasPoints.h"
 
 namespace vestige {
@@ -33,12 +34,13 @@ void LasSummary::describe(const LasHeader& header, FileInfo& info) const {
 }
 
 std::vector<std::string> lasAttributes(const LasPointLayout& layout, bool timed) {
-    std::vector<std::string> names{"intensity"};
-    if (layout.color) names.emplace_back("color");
-    names.emplace_back("classification");
-    if (timed) names.emplace_back("gps_time");
-    for (const char* name : {"point_source", "return_number", "return_count"}) names.emplace_back(name);
-    return names;
+    return attributeNames({.intensity = true,
+                           .color = layout.color != 0,
+                           .classification = true,
+                           .gpsTime = timed,
+                           .pointSource = true,
+                           .returnNumber = true,
+                           .returnCount = true});
 }
 
 }  // namespace vestige

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/io/Bytes.h"
+#include "core/io/formats/PatchedBuffer.h"
 
 namespace vestige {
 namespace {
@@ -98,6 +99,15 @@ WholeChunks wholeChunks(std::span<const std::byte> file, const LasHeader& header
         for (std::size_t layer = 0; layer < layers; ++layer)
             size += load<std::uint32_t>(file.data() + whole.end + header.recordLength + 4 + 4 * layer);
         if (limit - whole.end < size) break;
+        std::size_t at = whole.end + head;
+        bool decodable = true;
+        for (std::size_t layer = 0; layer < layers; ++layer) {
+            const auto bytes =
+                load<std::uint32_t>(file.data() + whole.end + header.recordLength + 4 + 4 * layer);
+            decodable = decodable && !beginsBeyondRange(file.subspan(at, bytes));
+            at += bytes;
+        }
+        if (!decodable) break;
         whole.points += load<std::uint32_t>(file.data() + whole.end + header.recordLength);
         whole.end += size;
     }
@@ -109,8 +119,10 @@ void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::
                  const ReadJob& job) {
     const WholeChunks whole = wholeChunks(file, header, table);
     if (whole.end != table)
-        job.refuseByte(whole.end, "a chunk of compressed points is longer than the file has room for",
-                       std::to_string(table - whole.end) + " bytes at most");
+        job.refuseByte(
+            whole.end,
+            "a chunk of compressed points does not fit into the file, or holds what no encoder writes",
+            "chunks that fill the bytes up to the chunk table");
     if (whole.points != header.points)
         job.refuseByte(header.pointOffset, "the chunks hold " + std::to_string(whole.points) + " points",
                        std::to_string(header.points) + " as the header says");
@@ -173,9 +185,13 @@ LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const 
     const bool layered = compressor == 3;
     checkItems(file, header, *record, layered, job);
     LazPlan plan{header.points};
+    // A code that is not below its range leads LASzip's decoder out of its tables. It begins at four places:
+    // behind the point that each chunk begins with, at the chunk table's entries (PatchedBuffer looks at
+    // both) and, in layers, at each layer (wholeChunks).
     if (compressor == 1) return plan;
     plan.variableChunks = chunkSize == kVariableChunks;
     plan.chunkSize = plan.variableChunks ? kTypicalChunk : chunkSize;
+    plan.sureTogether = plan.variableChunks ? 0 : chunkSize;
     try {
         const std::size_t table = checkChunkTable(file, header, job);
         if (layered) checkLayers(file, header, table, job);

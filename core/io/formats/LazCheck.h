@@ -12,7 +12,10 @@ struct LazPlan {
     std::uint64_t points = 0;     ///< that are there; fewer than the header says only of a salvaged file
     std::uint64_t chunkSize = 0;  ///< points after which decoding can begin anew; 0: only from the start
     bool variableChunks = false;  ///< chunks of differing size: beginning anew costs some of a chunk
-    bool withoutTable = false;    ///< salvaged: chunks are found one behind the other
+    /// Points of a chunk. Damage within leaves none of them sure: decoding goes on for a while before it
+    /// fails. 0: the file is one chunk, or its chunks vary.
+    std::uint64_t sureTogether = 0;
+    bool withoutTable = false;  ///< salvaged: chunks are found one behind the other
 };
 
 /// Refuses a compressed file whose LASzip record or chunk table does not fit its header or size, and one that

@@ -73,11 +73,9 @@ class BodyReader {
         ++holes_;
     }
 
-    /// How many of the points the file can hold; makes room for them.
+    /// How many of the points the file can hold.
     std::size_t possible(std::size_t smallest, std::size_t available) {
-        const std::size_t points = std::min(header_.points, available / smallest);
-        sink_->reserve(points);
-        return points;
+        return std::min(header_.points, available / smallest);
     }
 
     [[noreturn]] void refuseTooShort(std::size_t smallest, std::size_t available) const {
@@ -100,6 +98,7 @@ class BodyReader {
         const std::size_t smallest = 2 * header_.columns;
         const std::size_t available = file_.size() - scanner.offset() + 1;
         const std::size_t most = possible(smallest, available);
+        sink_->reserve(most);
         std::size_t done = 0;
         while (done < header_.points) {
             const std::size_t line = scanner.line();
@@ -159,6 +158,7 @@ class BodyReader {
         if (points == header_.points &&
             readAtOnce(body, [&](const PcdField& field) { return std::pair(field.offset, header_.stride); }))
             return;
+        sink_->reserve(points);
         for (std::size_t i = 0; i < points; ++i) {
             job_.step(i, points);
             readPoint([&](const PcdField& field) { return body + i * header_.stride + field.offset; });
@@ -179,13 +179,13 @@ class BodyReader {
         const std::size_t there = std::min<std::size_t>(packedSize, available - 8);
         const std::vector<std::byte> unpacked = unpackLzf({body + 8, there}, size);
         const std::size_t points = wholeColumns(unpacked.size());
-        sink_->reserve(points);
         // Compressed files hold one field of all points after the other.
         if (points == header_.points && unpacked.size() == size && there == packedSize &&
             readAtOnce(unpacked.data(), [&](const PcdField& field) {
                 return std::pair(field.offset * points, field.bytes());
             }))
             return;
+        sink_->reserve(points);
         for (std::size_t i = 0; i < points; ++i) {
             job_.step(i, points);
             readPoint([&](const PcdField& field) {

@@ -183,8 +183,8 @@ class BodyReader {
 
     void readVertices(const PlyElement& element, PointSink& sink) {
         std::vector<double> row(element.properties.size());
-        sink.reserve(possible(element));
         if (readAtOnce(element, sink)) return;
+        sink.reserve(possible(element));
         for (std::size_t i = 0; i < element.count; ++i) {
             job_.step(i, element.count);
             for (std::size_t k = 0; k < row.size(); ++k) {

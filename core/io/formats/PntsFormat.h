@@ -11,6 +11,8 @@ class PntsFormat : public FileFormat {
     std::string_view id() const override { return "pnts"; }
     std::string_view title() const override { return "3D Tiles point tile"; }
     std::vector<std::string> extensions() const override { return {"pnts"}; }
+    bool salvagesUnasked() const override { return true; }
+    bool readsParts() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
     Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const override;
     Result<LoadedGeometry> read(const std::filesystem::path& file, const ReadOptions& options,

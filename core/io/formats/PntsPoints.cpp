@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/Numbers.h"
 #include "core/io/Bytes.h"
 #include "core/io/PointSink.h"
 
@@ -105,10 +106,14 @@ void addPntsPoints(const PntsTables& tables, const Eigen::Matrix4d& rootFromTile
         if (!point.allFinite())
             job.refuse("point " + std::to_string(i + 1) + " has a coordinate that is no finite number",
                        "finite coordinates");
-        const std::size_t row = batch ? static_cast<std::size_t>(batch->value(i)) : i;
-        if (batch && !tables.properties.empty() && row >= tables.batches)
-            job.refuse("point " + std::to_string(i + 1) + " is of batch " + std::to_string(row),
-                       "numbers below " + std::to_string(tables.batches));
+        std::size_t row = i;
+        if (batch && !tables.properties.empty()) {
+            const double number = batch->value(i);
+            if (!(number >= 0 && number < static_cast<double>(tables.batches)))
+                job.refuse("point " + std::to_string(i + 1) + " is of batch " + exactText(number),
+                           "numbers below " + std::to_string(tables.batches));
+            row = static_cast<std::size_t>(number);
+        }
         if (!cloud.add(point)) continue;
         if (color) cloud.addColor(color(i));
         if (normal)

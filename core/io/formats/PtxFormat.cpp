@@ -112,7 +112,7 @@ class PtxReader {
         // Scans before this one that had none of it are filled up.
         if (hasIntensity(values)) {
             if (attributes.intensity.size() < builder_.size()) attributes.intensity.resize(builder_.size());
-            attributes.intensity.push_back(static_cast<float>(row_[3]));
+            attributes.intensity.push_back(toFloat(row_[3]));
         }
         if (hasColor(values)) {
             if (attributes.color.size() < builder_.size()) attributes.color.resize(builder_.size());

@@ -1,16 +1,8 @@
 #include "core/io/formats/TileAttributes.h"
 
-#include <utility>
+#include "core/io/AttributeNames.h"
 
 namespace vestige {
-namespace {
-
-constexpr std::pair<PointField, const char*> kFieldNames[]{
-    {PointField::intensity, "intensity"},        {PointField::classification, "classification"},
-    {PointField::gpsTime, "gps_time"},           {PointField::pointSource, "point_source"},
-    {PointField::returnNumber, "return_number"}, {PointField::returnCount, "return_count"}};
-
-}  // namespace
 
 void TileAttributes::add(const TileAttributes& other) {
     color |= other.color;
@@ -19,13 +11,15 @@ void TileAttributes::add(const TileAttributes& other) {
 }
 
 std::vector<std::string> TileAttributes::names() const {
-    std::vector<std::string> list;
-    for (const auto& [field, name] : kFieldNames) {
-        if ((*this)[field]) list.emplace_back(name);
-        if (field == PointField::intensity && color) list.emplace_back("color");
-        if (field == PointField::gpsTime && normals) list.emplace_back("normals");
-    }
-    return list;
+    const auto& has = *this;
+    return attributeNames({.intensity = has[PointField::intensity],
+                           .color = color,
+                           .classification = has[PointField::classification],
+                           .gpsTime = has[PointField::gpsTime],
+                           .normals = normals,
+                           .pointSource = has[PointField::pointSource],
+                           .returnNumber = has[PointField::returnNumber],
+                           .returnCount = has[PointField::returnCount]});
 }
 
 }  // namespace vestige

@@ -4,18 +4,12 @@
 #include <cmath>
 
 #include "core/io/Describe.h"
+#include "core/io/FieldValues.h"
 
 namespace vestige {
 namespace {
 
 constexpr std::size_t kMostReserved = std::size_t{1} << 24;
-
-template <class Number>
-Number whole(double value) {
-    if (std::isnan(value)) return 0;
-    return static_cast<Number>(
-        std::nearbyint(std::clamp(value, 0.0, static_cast<double>(std::numeric_limits<Number>::max()))));
-}
 
 }  // namespace
 
@@ -50,37 +44,14 @@ void TileCloud::padAttributes() {
 }
 
 bool TileCloud::add(const Eigen::Vector3d& point) {
-    if (box_ && !((point.array() >= box_->min.array()).all() && (point.array() <= box_->max.array()).all()))
-        return false;
+    if (box_ && !box_->contains(point)) return false;
     if (met_++ % keepEvery_ != 0) return false;
     builder_.add(point);
     return true;
 }
 
 void TileCloud::addValue(PointField field, double value) {
-    PointAttributes& attributes = builder_.attributes();
-    switch (field) {
-        case PointField::intensity:
-            attributes.intensity.push_back(static_cast<float>(value));
-            break;
-        case PointField::classification:
-            attributes.classification.push_back(whole<std::uint8_t>(value));
-            break;
-        case PointField::gpsTime:
-            attributes.gpsTime.push_back(value);
-            break;
-        case PointField::pointSource:
-            attributes.pointSource.push_back(whole<std::uint16_t>(value));
-            break;
-        case PointField::returnNumber:
-            attributes.returnNumber.push_back(whole<std::uint8_t>(value));
-            break;
-        case PointField::returnCount:
-            attributes.returnCount.push_back(whole<std::uint8_t>(value));
-            break;
-        default:
-            break;
-    }
+    appendValue(builder_.attributes(), field, value);
 }
 
 LoadedGeometry TileCloud::finish(std::string format, std::string version, ReadJob& job) && {

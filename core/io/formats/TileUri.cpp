@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string>
 
+#include "core/io/formats/FolderUri.h"
+
 namespace vestige {
 namespace {
 
@@ -16,27 +18,6 @@ bool isAddress(std::string_view uri) {
            std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [](unsigned char c) {
                return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
            });
-}
-
-int hexDigit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-std::string percentDecoded(std::string_view uri) {
-    std::string decoded;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
-        decoded += low >= 0 ? static_cast<char>(16 * high + low) : uri[i];
-        if (low >= 0) i += 2;
-    }
-    return decoded;
-}
-
-bool isInside(const fs::path& file, const fs::path& folder) {
-    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
 }  // namespace

@@ -136,10 +136,15 @@ Result<FileInfo> TilesetFormat::peek(const std::filesystem::path& file, const Jo
             const Result<MappedFile> content = MappedFile::open(contents.tiles[i].file);
             if (!content) continue;
             ReadJob tile(contents.tiles[i].file, {});
-            const PntsHeader header = parsePntsHeader(content->bytes(), true, tile);
-            const PntsTables tables = parsePntsTables(content->bytes(), header, true, tile);
-            info.points += tables.points;
-            any.add(tables.attributes());
+            try {
+                const PntsHeader header = parsePntsHeader(content->bytes(), true, tile);
+                const PntsTables tables = parsePntsTables(content->bytes(), header, true, tile);
+                info.points += tables.points;
+                any.add(tables.attributes());
+            } catch (const ErrorException& broken) {
+                // It is told when the tile is read; whoever salvages does without it.
+                if (broken.error.code != ErrorCode::input) throw;
+            }
         }
         info.attributes = any.names();
         return info;

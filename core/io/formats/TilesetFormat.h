@@ -11,6 +11,8 @@ class TilesetFormat : public FileFormat {
     std::string_view id() const override { return "tileset"; }
     std::string_view title() const override { return "3D Tiles tileset"; }
     std::vector<std::string> extensions() const override { return {"json"}; }
+    bool salvagesUnasked() const override { return true; }
+    bool readsParts() const override { return true; }
     bool recognises(std::span<const std::byte> head, std::string_view extension) const override;
     Result<FileInfo> peek(const std::filesystem::path& file, const JobControl& control) const override;
     Result<LoadedGeometry> read(const std::filesystem::path& file, const ReadOptions& options,

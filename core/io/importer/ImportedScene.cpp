@@ -47,10 +47,8 @@ class SceneAssembly {
             const ImportedMesh& mesh = scene_.meshes[instance.mesh];
             vertices_ += mesh.vertices.size();
             triangleCount_ += mesh.triangles.size();
-            if (vertices_ > mostVertices)
-                job_.refuse("the file repeats its objects until they have more than " +
-                                std::to_string(mostVertices) + " vertices",
-                            "no more than that for a file of its size");
+            refuseMoreThan(mostVertices, vertices_, "vertices");
+            refuseMoreThan(kTrianglesOfVertex * mostVertices, triangleCount_, "triangles");
             if (!mesh.colors.empty()) colored += mesh.vertices.size();
             if (!mesh.normals.empty()) withNormals += mesh.vertices.size();
         }
@@ -58,6 +56,13 @@ class SceneAssembly {
         keepNormals_ = withNormals > 0;
         if (keepColors_ && colored < vertices_)
             job_.warn(counted(vertices_ - colored, "vertex") + " of objects without colours are white");
+    }
+
+    void refuseMoreThan(std::uint64_t most, std::uint64_t count, const std::string& what) const {
+        if (count > most)
+            job_.refuse(
+                "the file repeats its objects until they have more than " + std::to_string(most) + " " + what,
+                "no more than that for a file of its size");
     }
 
     void add(const ImportedInstance& instance) {

@@ -35,10 +35,13 @@ struct ImportedScene {
     std::vector<std::string> warnings;
 };
 
+/// How many triangles are allowed for a vertex: a closed surface has two (by the formula of Euler).
+inline constexpr std::uint64_t kTrianglesOfVertex = 2;
+
 /// Every instance as one geometry, transformed in double; a mirrored one keeps its outside outside. Where
 /// only some have colours the others are white, with a warning, and missing normals are zero. Refuses indices
 /// without a vertex, places that are no finite numbers, and instances that make more of the file than
-/// `mostVertices` or 2^32.
+/// `mostVertices` or 2^32, or kTrianglesOfVertex times as many triangles.
 TriangleMesh assembleScene(ImportedScene scene, std::uint64_t mostVertices, ReadJob& job);
 
 }  // namespace vestige

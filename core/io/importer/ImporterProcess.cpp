@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "core/io/LoadEstimate.h"
@@ -123,17 +124,33 @@ class Child {
         }
     }
 
+    /// Throws when the user cancels or the time is up.
+    void checkTime() const {
+        if (control_.cancelled()) throw ErrorException{cancelledError()};
+        if (Clock::now() > deadline_)
+            job_.refuse("reading takes more than " + std::to_string((kWall * request_.time).count()) + " s",
+                        "a file that its reader is done with in that time");
+    }
+
     void waitForOutput() {
         for (;;) {
-            if (control_.cancelled()) throw ErrorException{cancelledError()};
-            if (Clock::now() > deadline_)
-                job_.refuse(
-                    "reading takes more than " + std::to_string((kWall * request_.time).count()) + " s",
-                    "a file that its reader is done with in that time");
+            checkTime();
             pollfd entry{output_.number(), POLLIN, 0};
             const int ready = ::poll(&entry, 1, kPollMilliseconds);
             if (ready > 0) return;
         }
+    }
+
+    /// A child that has closed its output need not have ended.
+    int waitForEnd() {
+        constexpr std::chrono::milliseconds kPause(1);
+        int status = 0;
+        while (::waitpid(process_, &status, WNOHANG) != process_) {
+            checkTime();
+            std::this_thread::sleep_for(kPause);
+        }
+        process_ = 0;
+        return status;
     }
 
     int wait() {
@@ -146,7 +163,7 @@ class Child {
 
     /// The pipe ended before the geometry did: why?
     [[noreturn]] void refuseEnd() {
-        const int status = wait();
+        const int status = waitForEnd();
         const std::string expected = "a whole and valid file of this format";
         if (WIFEXITED(status) && WEXITSTATUS(status) == kImporterOutOfMemory)
             job_.refuse("reading needs more than " + megabytes(request_.memoryBytes) + " of memory",
@@ -173,17 +190,6 @@ class Child {
 };
 
 }  // namespace
-
-Descriptor::~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-}
-
-Descriptor::Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-}
 
 Descriptor openForReading(const std::filesystem::path& file) {
     Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));

@@ -7,23 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/Descriptor.h"
 #include "core/base/JobControl.h"
 #include "core/io/importer/ImportedScene.h"
 
 namespace vestige {
-
-/// An open file descriptor that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor();
-    Descriptor(Descriptor&& other) noexcept;
-    Descriptor& operator=(Descriptor&& other) noexcept;
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 /// Opens a regular file for reading; throws ErrorException (ErrorCode::input).
 Descriptor openForReading(const std::filesystem::path& file);
@@ -36,12 +24,12 @@ struct ImportRequest {
     std::string request;                                 ///< what it finds on its standard input
     std::vector<Descriptor> files;                       ///< what it finds as descriptors 3, 4, ...
     std::uint64_t memoryBytes = std::uint64_t{1} << 30;  ///< of its address space, libraries included
-    std::uint64_t resultBytes = std::uint64_t{1} << 30;  ///< the most that it may send
+    std::uint64_t resultBytes = std::uint64_t{1} << 30;  ///< of receiveScene()
     std::chrono::seconds time{30};                       ///< of the processor; of the wall three times that
 };
 
-/// Address space for a reader that holds a file of this size several times over: never under 1 GiB, never
-/// more than the machine has free.
+/// Address space for a reader that holds a file of this size several times over: 1 GiB, and beyond that what
+/// it takes, but not more than the machine has free.
 std::uint64_t importMemoryFor(std::uint64_t fileBytes);
 
 /// Time of the processor for a reader of this many bytes: 10 s, and one for each million.

@@ -53,8 +53,8 @@ class Receiver {
         input_(header);
         const auto kind = static_cast<ImportBlock>(load<std::uint32_t>(header));
         const auto length = load<std::uint64_t>(header + 4);
-        if (length > left_) garbage("more than the file can hold");
-        left_ -= length;
+        if (length > left_ || left_ - length < kImportBlockCost) garbage("more than the file can hold");
+        left_ -= length + kImportBlockCost;
         switch (kind) {
             case ImportBlock::warning:
                 scene_.warnings.push_back(text(length));
@@ -185,7 +185,10 @@ void ImportSender::warning(const std::string& sentence) {
 }
 
 void ImportSender::refusal(const std::string& message, const std::string& expected) {
-    const std::string text = message + "\n" + expected;
+    std::string text = message;
+    // What is quoted of the file must not end the message; the receiver cleans the rest.
+    std::replace(text.begin(), text.end(), '\n', '?');
+    text += "\n" + expected;
     items(ImportBlock::refusal, std::vector<char>(text.begin(), text.end()));
 }
 

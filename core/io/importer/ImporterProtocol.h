@@ -28,6 +28,9 @@ enum class ImportBlock : std::uint32_t {
     end = 9         ///< checksum, uint64
 };
 
+/// What a block counts beside its payload: even an empty one makes an object of the receiver's.
+inline constexpr std::uint64_t kImportBlockCost = 128;
+
 /// The exit status of an importer that met its limit of memory.
 inline constexpr int kImporterOutOfMemory = 12;
 
@@ -56,7 +59,8 @@ class ImportSender {
     std::uint64_t checksum_;
 };
 
-/// The parent's side: memory grows with what really arrives, up to `mostBytes`. Refuses with the child's own
+/// The parent's side: memory grows with what really arrives, up to `mostBytes` of payloads and
+/// kImportBlockCost for each. Refuses with the child's own
 /// sentence, or says that what it sent is no geometry.
 ImportedScene receiveScene(const ByteInput& input, std::uint64_t mostBytes, const ReadJob& job);
 

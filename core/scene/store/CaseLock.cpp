@@ -39,7 +39,9 @@ std::string userName() {
 void writeOwner(int descriptor) {
     const std::string text =
         std::to_string(::getpid()) + "\n" + userName() + "\n" + hostName() + "\n" + utcNow() + "\n";
-    // Nobody depends on it: the lock is what counts.
+    // Nobody depends on it: the lock is what counts. A file of several names is somebody's data.
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0 || status.st_nlink != 1) return;
     if (::ftruncate(descriptor, 0) == 0)
         static_cast<void>(::pwrite(descriptor, text.data(), text.size(), 0) == 0);
 }

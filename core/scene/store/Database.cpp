@@ -7,6 +7,7 @@
 
 #include "core/base/Result.h"
 #include "core/scene/casefile/CaseText.h"
+#include "core/scene/store/SideFiles.h"
 
 namespace vestige {
 namespace {
@@ -81,6 +82,7 @@ Database::Database(const std::filesystem::path& file, Access access)
                               "a case's database is expected here, as a file",
                               file.string(),
                               {}}};
+    checkSideFiles(file);
     const int flags =
         access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     db.check(sqlite3_open_v2(file.c_str(), &db.handle, flags | SQLITE_OPEN_FULLMUTEX | SQLITE_OPEN_EXRESCODE,

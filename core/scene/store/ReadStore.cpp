@@ -1,7 +1,7 @@
-#include <algorithm>
+#include <cstdlib>
 
+#include "core/base/CleanText.h"
 #include "core/base/Hash.h"
-#include "core/base/Leftovers.h"
 #include "core/scene/store/CaseStore.h"
 #include "core/scene/store/Database.h"
 #include "core/scene/store/Schema.h"
@@ -35,8 +35,8 @@ StoredCase contentOf(Database& database) {
         const auto last = database.run(
             "SELECT edit, time, moment FROM journal WHERE base=? ORDER BY id DESC LIMIT 1", {base});
         if (!last.empty()) {
-            stored.lastEdit = textOf(last.front()[0]);
-            stored.lastTime = textOf(last.front()[1]);
+            stored.lastEdit = cleanText(textOf(last.front()[0]), 200);
+            stored.lastTime = cleanText(textOf(last.front()[1]));
             const auto* moment = std::get_if<std::int64_t>(&last.front()[2]);
             stored.lastMoment = moment ? *moment : 0;
         }
@@ -69,11 +69,13 @@ Result<StoredCase> readCopy(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_regular_file(fs::symlink_status(folder / "case.db", error)))
         return fail(ErrorCode::input, "a case's database is expected here, as a file", folder.string());
-    const fs::path copy = fs::temp_directory_path(error) / ("vestige-case-" + ownerMark());
-    fs::create_directories(copy, error);
+    std::string place = (fs::temp_directory_path(error) / "vestige-case-XXXXXX").string();
+    if (!::mkdtemp(place.data()))
+        return fail(ErrorCode::output, "no folder can be made for a copy of the case", place);
+    const fs::path copy = place;
     for (const char* name : {"case.db", "case.db-journal", "case.db-wal", "case.json"}) {
         std::error_code missing;
-        if (fs::is_regular_file(folder / name, missing))
+        if (fs::is_regular_file(fs::symlink_status(folder / name, missing)))
             fs::copy_file(folder / name, copy / name, fs::copy_options::overwrite_existing, missing);
     }
     fs::permissions(copy / "case.db", fs::perms::owner_write, fs::perm_options::add, error);

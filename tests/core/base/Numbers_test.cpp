@@ -4,6 +4,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <limits>
 
 #include "core/base/Random.h"
 
@@ -24,6 +25,18 @@ TEST(Numbers, ReadBackExactlyInAnyLocale) {
     EXPECT_FALSE(parseReal("+-1"));
     EXPECT_FALSE(parseInteger("1.0"));
     std::setlocale(LC_ALL, "C");
+}
+
+TEST(Numbers, DoublesBeyondAFloatAreItsLargest) {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    EXPECT_EQ(toFloat(0.1), 0.1F);
+    EXPECT_EQ(toFloat(kLargest), kLargest);
+    EXPECT_EQ(toFloat(1e39), kLargest);
+    EXPECT_EQ(toFloat(-1e300), -kLargest);
+    EXPECT_EQ(toFloat(kInfinite), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(toFloat(-kInfinite), -std::numeric_limits<float>::infinity());
+    EXPECT_TRUE(std::isnan(toFloat(std::numeric_limits<double>::quiet_NaN())));
 }
 
 TEST(Random, NormalNumbersHaveTheirMomentsAndRepeat) {

@@ -78,6 +78,28 @@ TEST(Copc, APreviewIsOfItsFirstLevels) {
     for (const Place& place : places(shown)) ASSERT_TRUE(std::binary_search(all.begin(), all.end(), place));
 }
 
+TEST(Copc, PagesThatOverlapAreNotBelieved) {
+    VESTIGE_SHARED_OR_SKIP(copc, "aerial/las/lone-star.copc.laz");
+    const TemporaryFolder folder;
+    std::string bytes = readBytes(copc);
+    auto* begin = reinterpret_cast<std::byte*>(bytes.data());
+    constexpr std::size_t kInfo = 375 + 54;
+    const auto page = load<std::uint64_t>(begin + kInfo + 40);
+    const auto size = load<std::uint64_t>(begin + kInfo + 48);
+    for (std::uint64_t entry = 0; entry < size / 2 / 32; ++entry) {
+        store<std::uint64_t>(begin + page + 32 * entry + 16, page + 32 * (entry + 1));
+        store<std::int32_t>(begin + page + 32 * entry + 24, static_cast<std::int32_t>(size / 64 * 32));
+        store<std::int32_t>(begin + page + 32 * entry + 28, -1);
+    }
+    writeBytes(folder / "overlapping.copc.laz", bytes);
+    const auto info = fileInfo(folder / "overlapping.copc.laz");
+    ASSERT_TRUE(info) << info.error().sentence();
+    EXPECT_EQ(info->version.find("COPC"), std::string::npos);
+    EXPECT_TRUE(std::any_of(info->warnings.begin(), info->warnings.end(), [](const std::string& text) {
+        return text.find("octree") != std::string::npos;
+    }));
+}
+
 TEST(Copc, AnOctreeThatDoesNotFitIsNotBelieved) {
     VESTIGE_SHARED_OR_SKIP(copc, "aerial/las/lone-star.copc.laz");
     const TemporaryFolder folder;

@@ -128,6 +128,29 @@ TEST(E57Hostile, CountsAndPlacesAreHeldAgainstTheFile) {
     expectRefused(large.file(E57Craft::root(scan + scan)), "no room");
 }
 
+TEST(E57Hostile, ScansThatShareBytesAreRefused) {
+    // There is room for the points of both, which lie behind 60000 bytes that every walk passes.
+    const std::string ignored = std::string("\2\0\x5f\xea", 4) + std::string(59996, '\0');
+    E57Craft craft;
+    const std::uint64_t at = craft.section(ignored + threePoints());
+    const std::string scan = E57Craft::scan(at, 3, kDoubles);
+    EXPECT_TRUE(readBack(craft.file(E57Craft::root(scan))));
+    expectRefused(craft.file(E57Craft::root(scan + scan)), "the same section");
+    const std::string none = E57Craft::scan(at, 0, kDoubles);
+    EXPECT_TRUE(readBack(craft.file(E57Craft::root(scan + none + none)))) << "they take nothing";
+    // The header of a second section inside the first one, in its first packet; both end where that does.
+    E57Craft nested;
+    const std::string rest = ignored + threePoints();
+    const std::uint64_t inner = nested.content.size() + 32 + 4;
+    const std::string header =
+        std::string("\1\0\0\0\0\0\0\0", 8) + bytesOf<std::uint64_t>({32 + rest.size(), inner + 32, 0});
+    const std::uint64_t outer = nested.section(std::string("\2\0\x23\0", 4) + header + rest);
+    const std::string first = E57Craft::scan(outer, 3, kDoubles), second = E57Craft::scan(inner, 3, kDoubles);
+    EXPECT_TRUE(readBack(nested.file(E57Craft::root(first))));
+    EXPECT_TRUE(readBack(nested.file(E57Craft::root(second))));
+    expectRefused(nested.file(E57Craft::root(first + second)), "they share them");
+}
+
 TEST(E57Hostile, PacketsAreHeldAgainstTheirSection) {
     const auto made = [](const std::string& packets) {
         E57Craft craft;
@@ -230,11 +253,16 @@ TEST(E57Hostile, WhatIsWholeOfADamagedScanIsRead) {
     std::string bytes = readBytes(file);
     bytes[400000] = static_cast<char>(bytes[400000] ^ 1);
     expectRefused(bytes, "checksum");
+    const Result<LoadedGeometry> refused = readBack(bytes, {});
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(refused.error().salvageable) << "the window offers it";
     ReadOptions salvage;
     salvage.salvage = true;
     const Result<LoadedGeometry> read = readBack(bytes, salvage);
     ASSERT_TRUE(read) << read.error().sentence();
     const PointCloud& cloud = read->geometry.vertices;
+    EXPECT_NE(refused.error().sentence().find(std::to_string(cloud.size()) + " points"), std::string::npos)
+        << refused.error().sentence();
     ASSERT_GT(cloud.size(), 10000);
     ASSERT_LT(cloud.size(), whole.geometry.vertices.size());
     EXPECT_NE(read->info.damage.find(std::to_string(cloud.size()) + " of 30571 points"), std::string::npos)

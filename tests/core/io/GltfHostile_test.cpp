@@ -165,6 +165,31 @@ TEST(GltfHostile, CopiesWithoutEndAreRefused) {
     expectRefusedWith(folder / "c.gltf", document(1, 5000), "repeats its vertices");
 }
 
+TEST(GltfHostile, TrianglesRepeatedWithoutEndAreRefused) {
+    const TemporaryFolder folder;
+    // Three vertices and 10000 triangles, in `primitives` that share them or at `nodes`.
+    const auto document = [&](int primitives, int nodes) {
+        std::string shapes, places, roots;
+        for (int i = 0; i < primitives; ++i)
+            shapes += std::string(i ? "," : "") + R"({"attributes":{"POSITION":0},"indices":1})";
+        for (int i = 0; i < nodes; ++i) {
+            places += std::string(i ? "," : "") + R"({"mesh":0})";
+            roots += std::string(i ? "," : "") + std::to_string(i);
+        }
+        return gltfText(
+            kCorners + std::string(30000, '\1'),
+            R"("bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":30000}],"accessors":[)"
+            R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+            R"({"bufferView":1,"componentType":5121,"count":30000,"type":"SCALAR"}],)"
+            R"("meshes":[{"primitives":[)" +
+                shapes + R"(]}],"scenes":[{"nodes":[)" + roots + R"(]}],"nodes":[)" + places + "]");
+    };
+    expectRefusedWith(folder / "a.gltf", document(1, 2500), "repeats its triangles");
+    expectRefusedWith(folder / "b.gltf", document(2500, 1), "repeats its triangles");
+    writeBytes(folder / "c.gltf", document(1, 2));
+    EXPECT_EQ(readOrFail(folder / "c.gltf").info.triangles, 20000);
+}
+
 TEST(GltfHostile, TruncatedAndFlippedFilesAreReadOrRefused) {
     const TemporaryFolder folder;
     TriangleMesh mesh{fullCloud(30, true), {{0, 1, 2}, {3, 4, 5}}};

@@ -99,8 +99,21 @@ TEST(ImporterProcess, AHangEndsAtItsTime) {
     EXPECT_LT(Seconds(std::chrono::steady_clock::now() - begin).count(), 10);
 }
 
-TEST(ImporterProcess, ACancelKillsItAtOnce) {
-    const Impostor impostor("exec /bin/sleep 100");
+TEST(ImporterProcess, AHangBehindItsLastWordEndsAtItsTime) {
+    ImportRequest request;
+    request.time = std::chrono::seconds(1);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(
+        holds(Impostor("exec /bin/sleep 100 >&-").sentence(std::move(request)), "takes more than 3 s"));
+    EXPECT_LT(Seconds(std::chrono::steady_clock::now() - begin).count(), 10);
+}
+
+class ACancel : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(ImporterProcess, ACancel,
+                         testing::Values("exec /bin/sleep 100", "exec /bin/sleep 100 >&-"));
+
+TEST_P(ACancel, KillsItAtOnce) {
+    const Impostor impostor(GetParam());
     const JobControl control;
     std::thread user([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -143,6 +156,19 @@ TEST(ImporterProcess, MeetsItsLimitOfMemory) {
     ASSERT_FALSE(status);
     EXPECT_TRUE(holds(status.error().message, "needs more than 80 MiB of memory"))
         << status.error().sentence();
+}
+
+TEST(ImporterProtocol, EmptyBlocksAreNotFree) {
+    const auto meshes = [](int count) {
+        return sent([&](ImportSender& sender) {
+            for (int i = 0; i < count; ++i) sender.mesh({});
+            sender.end();
+        });
+    };
+    EXPECT_TRUE(received(meshes(7000)));
+    const Result<ImportedScene> many = received(meshes(9000));
+    ASSERT_FALSE(many);
+    EXPECT_TRUE(holds(many.error().message, "more than the file can hold")) << many.error().message;
 }
 
 TEST(ImporterProtocol, ArrivesAsItWasSentOrNotAtAll) {

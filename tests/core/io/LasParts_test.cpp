@@ -210,6 +210,114 @@ TEST_P(LasParts, WhatIsWholeOfACutOffFileIsItsBeginning) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, LasParts, testing::Values("las", "laz"));
 
+TEST(LazDecoder, ACodeBeyondItsRangeIsRefusedAndNotDecoded) {
+    const TemporaryFolder folder;
+    const PointCloud cloud = scattered(3000, 10);
+    const std::string whole = readBytes(written(folder, "a.laz", cloud));
+    const auto bytesAt = [](std::string& bytes, std::size_t at) {
+        return reinterpret_cast<std::byte*>(bytes.data()) + at;
+    };
+    std::string copy = whole;
+    const auto points = load<std::uint32_t>(bytesAt(copy, 96));
+    const auto record = load<std::uint16_t>(bytesAt(copy, 105));
+    const std::size_t sizes = points + 8 + record + 4;
+    constexpr std::size_t kLayers = 10;  // nine of the point, one of its colour
+    std::size_t layer = sizes + 4 * kLayers;
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        const auto bytes = load<std::uint32_t>(bytesAt(copy, sizes + 4 * i));
+        if (bytes >= 4) {
+            std::string damaged = whole;
+            store<std::uint32_t>(bytesAt(damaged, layer), 0xffffffff);
+            writeBytes(folder / "damaged.laz", damaged);
+            const Result<LoadedGeometry> read = readGeometry(folder / "damaged.laz");
+            ASSERT_FALSE(read) << "layer " << i;
+            EXPECT_EQ(read.error().code, ErrorCode::input);
+        }
+        layer += bytes;
+    }
+    // The table of chunks is coded, too.
+    std::string damaged = whole;
+    const auto table = load<std::int64_t>(bytesAt(copy, points));
+    store<std::uint32_t>(bytesAt(damaged, static_cast<std::size_t>(table) + 8), 0xffffffff);
+    writeBytes(folder / "damaged.laz", damaged);
+    EXPECT_FALSE(readGeometry(folder / "damaged.laz"));
+}
+
+TEST(LazDecoder, ACodeBeyondItsRangeIsRefusedPointByPointToo) {
+    VESTIGE_SHARED_OR_SKIP(laz, "aerial/las/laspy/simple.laz");
+    const TemporaryFolder folder;
+    std::string bytes = readBytes(laz);
+    auto* begin = reinterpret_cast<std::byte*>(bytes.data());
+    ASSERT_LT(load<std::uint8_t>(begin + 104) & 0x3f, 6) << "coded point by point";
+    const std::size_t code = load<std::uint32_t>(begin + 96) + 8 + load<std::uint16_t>(begin + 105);
+    store<std::uint32_t>(begin + code, 0xffffffff);
+    writeBytes(folder / "damaged.laz", bytes);
+    const Result<LoadedGeometry> read = readGeometry(folder / "damaged.laz");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, ErrorCode::input);
+}
+
+TEST(LazSalvage, OfADamagedChunkNoPointIsTakenForWhole) {
+    const TemporaryFolder folder;
+    constexpr std::size_t kChunk = 50000;
+    const PointCloud cloud = scattered(3 * kChunk + 700, 40);
+    std::string bytes = readBytes(written(folder, "a.laz", cloud));
+    const LoadedGeometry whole = readOrFail(folder / "a.laz");
+    auto* begin = reinterpret_cast<std::byte*>(bytes.data());
+    const auto points = load<std::uint32_t>(begin + 96);
+    const auto table = static_cast<std::size_t>(load<std::int64_t>(begin + points));
+    // Four chunks of about one size, the last one small: the middle of the file is in the second.
+    const std::size_t middle = points + (table - points) / 2;
+    for (std::size_t i = 0; i < 200000 && middle + i < table; ++i)
+        bytes[middle + i] = static_cast<char>(0x5a ^ (i * 7));
+    writeBytes(folder / "damaged.laz", bytes);
+    const Result<LoadedGeometry> refused = readGeometry(folder / "damaged.laz");
+    ASSERT_FALSE(refused) << "a layer of the third chunk is no code";
+    EXPECT_TRUE(refused.error().salvageable);
+    EXPECT_NE(refused.error().sentence().find("the first "), std::string::npos) << refused.error().sentence();
+    ReadOptions salvage;
+    salvage.salvage = true;
+    const Result<LoadedGeometry> read = readGeometry(folder / "damaged.laz", salvage);
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_FALSE(read->info.damage.empty());
+    const PointCloud& kept = read->geometry.vertices;
+    EXPECT_EQ(kept.size() % kChunk, 0);
+    EXPECT_NE(refused.error().sentence().find("the first " + std::to_string(kept.size())), std::string::npos)
+        << refused.error().sentence();
+    ASSERT_GE(kept.size(), kChunk);
+    for (std::size_t i = 0; i < kChunk; ++i) ASSERT_EQ(kept.point(i), whole.geometry.vertices.point(i)) << i;
+}
+
+TEST(LazSalvage, OfAFileOfOneDamagedChunkNothingIsOffered) {
+    VESTIGE_SHARED_OR_SKIP(laz, "aerial/amsterdam/ahn/ahn_2397_9705.laz");
+    const TemporaryFolder folder;
+    for (const double place : {0.1, 0.4, 0.8}) {
+        std::string bytes = readBytes(laz);
+        const auto at = static_cast<std::size_t>(place * static_cast<double>(bytes.size()));
+        for (std::size_t i = 0; i < 3000; ++i) bytes[at + i] = static_cast<char>(0x5a ^ i);
+        writeBytes(folder / "damaged.laz", bytes);
+        const Result<LoadedGeometry> refused = readGeometry(folder / "damaged.laz");
+        ASSERT_FALSE(refused);
+        EXPECT_FALSE(refused.error().salvageable) << refused.error().sentence();
+        ReadOptions salvage;
+        salvage.salvage = true;
+        EXPECT_FALSE(readGeometry(folder / "damaged.laz", salvage));
+    }
+}
+
+TEST(LasParts, ACutOffFileCanBeLookedAtBeforeItIsSalvaged) {
+    const TemporaryFolder folder;
+    const PointCloud cloud = scattered(3000, 10);
+    const std::string bytes = readBytes(written(folder, "a.las", cloud));
+    writeBytes(folder / "cut.las", bytes.substr(0, bytes.size() / 2));
+    const auto peeked = peekFile(folder / "cut.las");
+    ASSERT_TRUE(peeked) << peeked.error().sentence();
+    EXPECT_LT(peeked->points, 1600);
+    const auto refused = readGeometry(folder / "cut.las");
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(refused.error().salvageable);
+}
+
 TEST(LasParts, APreviewOfPointsBeyondTheEarthIsRefusedAsTheWholeIs) {
     const TemporaryFolder folder;
     const PointCloud cloud = scattered(3000, 10);

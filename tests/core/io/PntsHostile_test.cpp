@@ -136,6 +136,12 @@ TEST(PntsHostile, PromisesThatTheFileCannotKeepAreRefused) {
                   tile(R"("POINTS_LENGTH":3,"BATCH_LENGTH":1,"BATCH_ID":{"byteOffset":10},)" + kPosition,
                        R"("intensity":[1])"),
                   "is of batch");
+    expectRefused(file,
+                  pntsBytes(R"({"POINTS_LENGTH":3,"BATCH_LENGTH":2,)"
+                            R"("BATCH_ID":{"byteOffset":36,"componentType":"SHORT"},)" +
+                                kPosition + "}",
+                            kThree + bytesOf<std::int16_t>({0, 1, -1}), R"({"intensity":[1,2]})"),
+                  "point 3 is of batch -1");
     expectRefused(file, pntsBytes("[1,2]", kThree), "no object");
     expectRefused(file, pntsBytes("{\"POINTS_LENGTH\":3", kThree), "not JSON");
     expectRefused(file, pntsBytes(std::string(5000, '[') + std::string(5000, ']'), kThree), "nested 5000");

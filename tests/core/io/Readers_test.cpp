@@ -61,6 +61,24 @@ TEST(PlyFormat, ReadsAnyLayout) {
     EXPECT_NEAR(surfaceArea(ply.geometry), 4, 1e-12);
 }
 
+TEST(PlyFormat, NumbersBeyondAFloatReadTheSameByRowsAndAtOnce) {
+    const TemporaryFolder folder;
+    const std::string properties =
+        "element vertex 1\nproperty double x\nproperty double y\nproperty double z\nproperty double "
+        "intensity\n"
+        "property double nx\nproperty double ny\nproperty double nz\nend_header\n";
+    const double values[] = {1, 2, 3, 1e300, 1e200, 0, 0};
+    writeBytes(folder / "rows.ply", "ply\nformat ascii 1.0\n" + properties + "1 2 3 1e300 1e200 0 0\n");
+    writeBytes(folder / "once.ply", "ply\nformat binary_little_endian 1.0\n" + properties +
+                                        std::string(reinterpret_cast<const char*>(values), sizeof values));
+    for (const char* name : {"rows.ply", "once.ply"}) {
+        const PointCloud cloud = readOrFail(folder / name).geometry.vertices;
+        ASSERT_EQ(cloud.size(), 1) << name;
+        EXPECT_EQ(cloud.attributes().intensity[0], std::numeric_limits<float>::max()) << name;
+        EXPECT_EQ(cloud.attributes().normal[0], Eigen::Vector3f::Zero()) << name;
+    }
+}
+
 TEST(PcdFormat, ReadsPackedColoursAndLeavesHolesOut) {
     const std::string head =
         "FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 3\nHEIGHT 1\n"

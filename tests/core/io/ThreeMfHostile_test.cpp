@@ -119,6 +119,30 @@ TEST(ThreeMfHostile, ComponentsWithoutEndAreRefused) {
                       zipOf(threeMfParts(threeMfModel("meter", circle, "<item objectid=\"1\"/>"))), "");
 }
 
+TEST(ThreeMfHostile, TrianglesRepeatedWithoutEndAreRefused) {
+    const TemporaryFolder folder;
+    // Four vertices and 20000 triangles, in 1500 places: 6000 vertices, but 30 million triangles.
+    std::string triangles, items;
+    for (int i = 0; i < 20000; ++i) triangles += "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>";
+    for (int i = 0; i < 1500; ++i) items += "<item objectid=\"1\"/>";
+    const std::string object =
+        replaced(threeMfTetrahedron(1, "0.1", "0.1", "0.1"), "</triangles>", triangles + "</triangles>");
+    expectRefusedWith(folder / "a.3mf", zipOf(threeMfParts(threeMfModel("meter", object, items))),
+                      "repeats its objects until they have more than");
+    writeBytes(folder / "b.3mf", zipOf(threeMfParts(threeMfModel("meter", object, items.substr(0, 40)))));
+    EXPECT_EQ(readOrFail(folder / "b.3mf").info.triangles, 40008);
+}
+
+TEST(ThreeMfHostile, ARefusalQuotesTheFileInOneLine) {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.3mf";
+    writeBytes(file, zipOf(threeMfParts(replaced(kModel, "meter", "fur&#10;&#27;[2J\xc3long"))));
+    const Result<LoadedGeometry> loaded = readGeometry(file);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().message, "the part '3D/3dmodel.model' names the unknown unit 'fur??[2J?long'");
+    EXPECT_EQ(loaded.error().hint, "expected: a 3MF model");
+}
+
 TEST(ThreeMfHostile, TruncatedAndFlippedFilesAreReadOrRefused) {
     const TemporaryFolder folder;
     const std::string whole = zipOf(threeMfParts(kModel));

@@ -14,6 +14,7 @@
 #include <fstream>
 
 #include "app/offscreen/OffscreenApplication.h"
+#include "core/io/ApplyReadOptions.h"
 #include "core/scene/CaseFile.h"
 #include "tests/support/TestPaths.h"
 #include "tests/ui/shell/SampleScans.h"
@@ -156,6 +157,41 @@ TEST_F(Workstation, ThreeClickedPairsAndATapeMakeAMeasurement) {
     EXPECT_NEAR(measured[0].length->mean_m, 2.0, 0.06);
     ASSERT_TRUE(measured[0].re);
     EXPECT_TRUE(driver->label("repeats").startsWith("Repeats"));
+}
+
+TEST_F(Workstation, APairPickedOnAFirstLookBecomesAsCertainAsTheWholeCloudAllows) {
+    auto driver = startLoaded(false);
+    Document& document = driver->window().document();
+    const std::shared_ptr<const LayerData> whole = driver->scene().layers[0].data;
+    LoadedGeometry thin{*whole->geometry, whole->info};
+    ReadOptions every;
+    every.keepEvery = 33;  // of rows of 126: no neighbours along a diagonal
+    applyReadOptions(every, thin);
+    auto look = std::make_shared<LayerData>(*whole);
+    look->geometry = std::make_shared<const TriangleMesh>(std::move(thin.geometry));
+    look->points = std::shared_ptr<const PointCloud>(look->geometry, &look->geometry->vertices);
+    look->octree = std::make_shared<const Octree>(look->points);
+    look->awaitedPoints = whole->points->size();
+    document.replaceData(whole, look);
+
+    driver->window().showNamedView(NamedView::top);
+    driver->trigger("tool.distance");
+    for (int repeat = 0; repeat < 2; ++repeat) {
+        for (const Eigen::Vector3f& place : {Eigen::Vector3f(2, 2, 0), Eigen::Vector3f(3, -3, 0)}) {
+            std::vector<Octree::Neighbour> nearest;
+            look->octree->nearest(place - look->points->origin().cast<float>(), 1, nearest);
+            driver->clickOn(look->points->point(nearest.at(0).point));
+        }
+        if (QWidget* focus = QApplication::focusWidget()) QTest::keyClick(focus, Qt::Key_Return);
+    }
+    ASSERT_EQ(driver->scene().measurements.size(), 1u);
+    const PickedPair& pair = driver->scene().measurements[0].picks.at("yard").at(0);
+    EXPECT_FALSE(pair.a.localSpacing_m || pair.b.localSpacing_m) << "that of the first look would stay";
+    ASSERT_TRUE(document.measured().lengths.at(0).length);
+    const auto before_m = document.measured().lengths[0].length->standardUncertainty_m;
+    ASSERT_TRUE(before_m);
+    document.replaceData(look, std::make_shared<LayerData>(*whole));
+    EXPECT_LT(document.measured().lengths.at(0).length->standardUncertainty_m.value_or(9), 0.5 * *before_m);
 }
 
 TEST_F(Workstation, EscapeGivesUpAPair) {
