@@ -40,6 +40,7 @@ LoadedGeometry loaded(TriangleMesh geometry, std::string format, std::string ver
     result.info.warnings = std::move(job.warnings());
     result.info.damage = job.damage();
     result.info.companions = job.companions();
+    result.info.companionStamps = job.companionStamps();
     result.geometry = std::move(geometry);
     return result;
 }

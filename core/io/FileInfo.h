@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/FileStamp.h"
 #include "core/geometry/BoundingBox.h"
 #include "core/geometry/Pose.h"
 
@@ -71,7 +72,8 @@ struct FileInfo {
     std::vector<ImageInfo> images;
     /// Other files that hold a part of this one: tiles, buffers. Known once it was read.
     std::vector<std::filesystem::path> companions;
-    std::vector<std::string> warnings;  ///< what was skipped or repaired while reading
+    std::vector<FileStamp> companionStamps;  ///< of each before it was read; all 0: it was not there
+    std::vector<std::string> warnings;       ///< what was skipped or repaired while reading
     /// Of a salvaged file: what is missing, a sentence for the report; empty when whole. readGeometry() puts
     /// it before the warnings, too.
     std::string damage;

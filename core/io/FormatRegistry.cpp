@@ -149,7 +149,8 @@ void offerWhatIsWhole(const FileFormat& format, const std::filesystem::path& fil
 }  // namespace
 
 const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
-    static const std::vector<std::unique_ptr<FileFormat>> formats = [] {
+    // Never destroyed: a thread that looks into a file on a slow disk may outlast main().
+    static const auto& formats = *new const std::vector<std::unique_ptr<FileFormat>>([] {
         std::vector<std::unique_ptr<FileFormat>> all;
         all.push_back(std::make_unique<LasFormat>());
         all.push_back(std::make_unique<E57Format>());
@@ -168,7 +169,7 @@ const std::vector<std::unique_ptr<FileFormat>>& fileFormats() {
         all.push_back(std::make_unique<TextFormat>());
         all.push_back(std::make_unique<EinscanMarkers>());
         return all;
-    }();
+    }());
     return formats;
 }
 
@@ -212,6 +213,7 @@ Result<FileInfo> fileInfo(const std::filesystem::path& file, const JobControl& c
     present(*info);
     Result<InputHash> hash = hashInput(file, info->companions, control.sub(0.7, 1));
     if (!hash) return fail(hash.error());
+    if (const Status same = companionsAsRead(*info); !same) return fail(same.error());
     info->sha256 = std::move(hash->sha256);
     return info;
 }

@@ -40,4 +40,11 @@ Result<InputHash> hashInput(const std::filesystem::path& file,
     return hashInput(file, *own, companions, control.sub(0.2, 1));
 }
 
+Status companionsAsRead(const FileInfo& info) {
+    for (std::size_t i = 0; i < info.companions.size() && i < info.companionStamps.size(); ++i)
+        if (stampOf(info.companions[i]).value_or(FileStamp{}) != info.companionStamps[i])
+            return fail(changedWhileRead(info.companions[i], info.companionStamps[i]));
+    return {};
+}
+
 }  // namespace vestige

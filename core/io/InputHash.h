@@ -6,6 +6,7 @@
 
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
+#include "core/io/FileInfo.h"
 
 namespace vestige {
 
@@ -26,5 +27,9 @@ Result<InputHash> hashInput(const std::filesystem::path& file,
 Result<InputHash> hashInput(const std::filesystem::path& file, const std::string& ownSha256,
                             const std::vector<std::filesystem::path>& companions,
                             const JobControl& control = {});
+
+/// ErrorCode::input when a file that was read for this one has been written to or replaced since: what was
+/// made of it and its hash may differ.
+Status companionsAsRead(const FileInfo& info);
 
 }  // namespace vestige

@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -14,12 +13,12 @@
 namespace vestige {
 namespace {
 
-std::atomic<std::size_t> broken{0};
+thread_local std::size_t broken = 0;
 
 }  // namespace
 
 std::size_t MappedFile::brokenReads() {
-    return broken.load();
+    return broken;
 }
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {

@@ -23,8 +23,9 @@ class MappedFile {
     std::span<const std::byte> bytes() const { return {data_, size_}; }
     /// False when bytes were asked for that could not be had: what was made of them means nothing.
     bool intact() const { return !watch_.faulted(); }
-    /// How many mappings of this process ended broken so far. A reader that sees it grow while it reads (by
-    /// its own file or one that is read beside it) has no result.
+    /// How many mappings ended broken on this thread so far. A reader that sees it grow while it reads (by its
+    /// own file or a companion; readers may share the bytes among threads, but open and end mappings on the
+    /// thread that they were called on) has no result.
     static std::size_t brokenReads();
     std::string_view text() const { return {reinterpret_cast<const char*>(data_), size_}; }
 

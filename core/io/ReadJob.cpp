@@ -54,6 +54,11 @@ void offerSalvage(Error& error, const std::string& words) {
         " are whole and can be read where damage is allowed (--salvage; in a case \"salvage\": true)";
 }
 
+void ReadJob::alsoReads(const std::filesystem::path& file) {
+    companions_.push_back(file);
+    companionStamps_.push_back(stampOf(file).value_or(FileStamp{}));
+}
+
 void ReadJob::warn(std::string sentence) {
     constexpr std::size_t kMostWarnings = 100;
     if (warnings_.size() > kMostWarnings) return;

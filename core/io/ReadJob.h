@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/FileStamp.h"
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
 
@@ -43,9 +44,11 @@ class ReadJob {
     /// A sentence for FileInfo::damage; empty of a file that is whole.
     const std::string& damage() const { return damage_; }
 
-    /// Another file that is read for this one: FileInfo::companions.
-    void alsoReads(std::filesystem::path file) { companions_.push_back(std::move(file)); }
+    /// Another file that will be read for this one, which must not change until that is done:
+    /// FileInfo::companions.
+    void alsoReads(const std::filesystem::path& file);
     const std::vector<std::filesystem::path>& companions() const { return companions_; }
+    const std::vector<FileStamp>& companionStamps() const { return companionStamps_; }
 
     /// For the user, kept in FileInfo::warnings.
     void warn(std::string sentence);
@@ -63,6 +66,7 @@ class ReadJob {
     bool salvage_;
     std::string damage_;
     std::vector<std::filesystem::path> companions_;
+    std::vector<FileStamp> companionStamps_;
     std::vector<std::string> warnings_;
 };
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <future>
 #include <string_view>
 #include <utility>
-#include "core/base/FileStamp.h"
 
+#include "core/base/FileStamp.h"
 #include "core/base/Hash.h"
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/FormatRegistry.h"
@@ -28,7 +29,12 @@ class HashMeanwhile {
     ~HashMeanwhile() { control_.cancel(); }
     HashMeanwhile(const HashMeanwhile&) = delete;
     HashMeanwhile& operator=(const HashMeanwhile&) = delete;
-    Result<std::string> take() { return hash_.get(); }
+    /// Waits for it, but no longer than until `control` is cancelled.
+    Result<std::string> take(const JobControl& control) {
+        while (hash_.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+            if (control.cancelled()) control_.cancel();
+        return hash_.get();
+    }
 
   private:
     JobControl control_;
@@ -106,7 +112,7 @@ Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::pa
         control.progress(0.6, "index of " + file.filename().string());
         const std::shared_ptr<LayerData> data = withIndex(std::move(*loaded));
         if (control.cancelled()) return fail(cancelledError());
-        auto sha256 = hash.take();
+        auto sha256 = hash.take(control);
         if (!sha256) return fail(sha256.error());
         // The hash is of these points only if nobody has written in between.
         if (const auto after = stampOf(file); !after || *after != *before)
@@ -114,6 +120,7 @@ Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::pa
         data->stamp = *before;
         auto input = hashInput(file, *sha256, data->info.companions, control);
         if (!input) return fail(input.error());
+        if (const Status same = companionsAsRead(data->info); !same) return fail(same.error());
         data->sha256 = std::move(input->sha256);
         data->companionSha256 = std::move(input->companions);
         control.progress(1);
@@ -136,6 +143,8 @@ Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem:
                                                           const JobControl& control) {
     return guarded(file.string(), [&]() -> Result<std::shared_ptr<const LayerData>> {
         if (check.peeked.points < kPreviewFrom) return std::shared_ptr<const LayerData>();
+        const auto stamp = stampOf(file);
+        if (!stamp) return fail(stamp.error());
         auto look = previewFile(file, kPreviewPoints, control);
         if (!look) return fail(look.error());
         if (!*look || control.cancelled()) return std::shared_ptr<const LayerData>();
@@ -147,6 +156,7 @@ Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem:
         if ((*look)->geometry.vertices.empty()) return std::shared_ptr<const LayerData>();
         const std::shared_ptr<LayerData> data = withIndex(std::move(**look));
         data->awaitedPoints = std::max<std::uint64_t>(1, check.estimate.points);
+        data->stamp = *stamp;
         return std::shared_ptr<const LayerData>(data);
     });
 }
@@ -162,15 +172,18 @@ Result<std::shared_ptr<const PointCloud>> allAttributes(const Layer& layer, cons
     const bool whole = !held.classification.empty() || !held.gpsTime.empty() || !held.pointSource.empty() ||
                        !held.returnNumber.empty() || !held.returnCount.empty();
     if (complete || whole) return layer.data->points;
+    const auto isAsRead = [&] {
+        const auto now = stampOf(file);
+        return now && *now == layer.data->stamp && companionsAsRead(layer.data->info);
+    };
+    const Error changed{ErrorCode::input, "the file has changed since its points were read", file.string(),
+                        "it must not change while it is worked with; read it again"};
+    if (!isAsRead()) return fail(changed);
     ReadOptions options = readOptionsOf(layer);
     options.attributes = ReadOptions::Attributes::all;
     auto loaded = readGeometry(file, options, control);
     if (!loaded) return fail(loaded.error());
-    if (loaded->geometry.vertices.size() != layer.data->points->size())
-        return fail(ErrorCode::input,
-                    "the file holds " + std::to_string(loaded->geometry.vertices.size()) + " points now, " +
-                        std::to_string(layer.data->points->size()) + " were read before",
-                    file.string(), "the file must not change while it is worked with");
+    if (!isAsRead() || loaded->geometry.vertices.size() != layer.data->points->size()) return fail(changed);
     return std::make_shared<const PointCloud>(std::move(loaded->geometry.vertices));
 }
 

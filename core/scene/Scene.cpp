@@ -2,8 +2,10 @@
 
 #include "core/scene/FileEvidence.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace vestige {
@@ -50,16 +52,32 @@ struct Scene::History {
     int depth = 0;
     /// What replaced data that steps may still hold.
     std::map<std::weak_ptr<const LayerData>, std::shared_ptr<const LayerData>, std::owner_less<>> newer;
+    std::set<std::string>
+        opened;                   ///< layers of the case as it was opened: loading them changes nothing of it
+    std::set<std::string> noted;  ///< added layers whose file became known, outside of a step, since the save
+    std::uint64_t notes = 0;
 
     std::uint64_t current() const { return done.empty() ? 0 : done.back().number; }
+    /// What no step holds any more needs no replacement: it would keep a whole cloud in memory.
+    void forgetExpired() {
+        std::erase_if(newer, [](const auto& pair) { return pair.first.expired(); });
+    }
+    void note(Layer& layer) {
+        if (!noteEvidence(layer) || opened.contains(layer.id)) return;
+        noted.insert(layer.id);
+        ++notes;
+    }
     void push(std::unique_ptr<SceneEdit> edit) {
         undone.clear();
+        forgetExpired();
         done.push_back({std::move(edit), nextNumber++});
     }
 };
 
 Scene::Scene() : Scene(SceneState{}) {}
-Scene::Scene(SceneState state) : state_(std::move(state)), history_(std::make_unique<History>()) {}
+Scene::Scene(SceneState state) : state_(std::move(state)), history_(std::make_unique<History>()) {
+    for (const Layer& layer : state_.layers) history_->opened.insert(layer.id);
+}
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
@@ -127,13 +145,20 @@ std::uint64_t Scene::step() const {
     return history_->current();
 }
 
+std::uint64_t Scene::notes() const {
+    return history_->notes;
+}
+
 bool Scene::modified() const {
-    return history_->current() != history_->saved || (history_->group && !history_->group->empty());
+    return history_->current() != history_->saved || (history_->group && !history_->group->empty()) ||
+           std::any_of(state_.layers.begin(), state_.layers.end(),
+                       [this](const Layer& layer) { return history_->noted.contains(layer.id); });
 }
 
 void Scene::markSaved(std::filesystem::path file) {
     state_.file = std::move(file);
     history_->saved = history_->current();
+    history_->noted.clear();
     if (changed_) changed_();
 }
 
@@ -141,26 +166,32 @@ void Scene::attachData(std::string_view layer, std::shared_ptr<const LayerData> 
     Layer* found = state_.layer(layer);
     if (!found) return;
     found->data = std::move(data);
-    noteEvidence(*found);
+    history_->note(*found);
     if (changed_) changed_();
 }
 
 void Scene::replaceData(const std::shared_ptr<const LayerData>& before,
                         std::shared_ptr<const LayerData> now) {
     if (!before || before == now) return;
-    history_->newer[before] = std::move(now);
-    takeNewerData();
+    const auto old = before;  // which may be a layer's own
+    history_->newer[old] = now;
+    for (Layer& layer : state_.layers) {
+        if (layer.data != old) continue;
+        layer.data = now;
+        history_->note(layer);
+    }
     if (changed_) changed_();
 }
 
 void Scene::takeNewerData() {
+    history_->forgetExpired();
     if (history_->newer.empty()) return;
     for (Layer& layer : state_.layers) {
         if (!layer.data) continue;
         const auto found = history_->newer.find(layer.data);
         if (found == history_->newer.end()) continue;
         layer.data = found->second;
-        noteEvidence(layer);
+        history_->note(layer);
     }
 }
 

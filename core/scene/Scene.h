@@ -86,6 +86,9 @@ class Scene {
 
     /// Number of the step that the state is after; 0: before the first. Numbers are given once.
     std::uint64_t step() const;
+    /// How often the file of an added layer became known outside of a step: the case is another one then, and
+    /// modified, though the step is the same.
+    std::uint64_t notes() const;
     bool modified() const;
     void markSaved(std::filesystem::path file);
 

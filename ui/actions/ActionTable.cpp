@@ -47,7 +47,7 @@ const std::vector<ActionSpec>& actionTable() {
          "Reconstruct into a folder: PDF, CSV, pictures, fused cloud, manifest.", "report", "Ctrl+R",
          idleWithLayers, false, "", true},
         {"export.csv", "&File", "Export &measurements…", "Write the table of measurements as CSV.", "", "",
-         [](const Situation& s) { return s.hasMeasured; }},
+         [](const Situation& s) { return s.hasMeasured && !s.busy; }},
         {"file.quit", "&File", "&Quit", "Close the program.", "", "Ctrl+Q", always, false, "", true},
 
         {"edit.undo", "&Edit", "&Undo", "Take the last change of the case back.", "undo", "Ctrl+Z",

@@ -1,6 +1,9 @@
 #include "ui/actions/FilePeek.h"
 
+#include <QCoreApplication>
 #include <QMetaObject>
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -8,6 +11,40 @@
 #include "ui/document/Wording.h"
 
 namespace vestige {
+namespace {
+
+/// The threads that look, of all dialogs. Never destroyed, since one of them may outlast main().
+struct Looks {
+    std::mutex mutex;
+    std::condition_variable ended;
+    int running = 0;
+};
+
+Looks& looks() {
+    static Looks& all = *new Looks;
+    return all;
+}
+
+/// At the program's end, before what readers use is taken down; not for a disk that does not answer.
+void awaitLooks() {
+    std::unique_lock lock(looks().mutex);
+    looks().ended.wait_for(lock, std::chrono::seconds(2), [] { return looks().running == 0; });
+}
+
+void beginLook() {
+    static std::once_flag once;
+    std::call_once(once, [] { qAddPostRoutine(awaitLooks); });
+    const std::scoped_lock lock(looks().mutex);
+    ++looks().running;
+}
+
+void endLook() {
+    const std::scoped_lock lock(looks().mutex);
+    --looks().running;
+    looks().ended.notify_all();
+}
+
+}  // namespace
 
 /// Outlives the object while a thread may still have something to deliver.
 struct FilePeek::Mailbox {
@@ -35,8 +72,10 @@ void FilePeek::look(const QString& path) {
 void FilePeek::start() {
     running_ = true;
     control_ = JobControl();
+    beginLook();
     std::thread([mailbox = mailbox_, peek = peek_, path = wanted_, control = control_] {
         auto info = guarded(path.toStdString(), [&] { return peek(toPath(path), control); });
+        endLook();
         const std::lock_guard lock(mailbox->mutex);
         FilePeek* owner = mailbox->owner;
         if (!owner) return;

@@ -27,6 +27,7 @@ Autosave::Autosave(Document& document, std::filesystem::path root, QObject* pare
       autosaves_(std::move(root)),
       session_(std::make_shared<CaseSession>(autosaves_)),
       step_(document.step()),
+      notes_(document.notes()),
       writer_([this](const std::shared_ptr<CaseSession>& session, const CaseSession::Kept& kept,
                      std::uint64_t last) {
           QMetaObject::invokeMethod(
@@ -38,9 +39,12 @@ Autosave::Autosave(Document& document, std::filesystem::path root, QObject* pare
               Qt::QueuedConnection);
       }) {
     connect(&document_, &Document::replaced, this, [this] {
-        forget(std::exchange(
-            session_, next_ ? std::exchange(next_, nullptr) : std::make_shared<CaseSession>(autosaves_)));
+        auto left = std::exchange(
+            session_, next_ ? std::exchange(next_, nullptr) : std::make_shared<CaseSession>(autosaves_));
+        if (!std::exchange(keep_, false)) forget(std::move(left));
+        recovered_ = false;
         step_ = document_.step();
+        notes_ = document_.notes();
         state_ = State::nothing;
         problem_.clear();
     });
@@ -74,20 +78,24 @@ Result<std::shared_ptr<CaseSession>> Autosave::takeOver(const Abandoned& abandon
     return session;
 }
 
-void Autosave::follow(std::shared_ptr<CaseSession> session) {
+void Autosave::follow(std::shared_ptr<CaseSession> session, bool keep) {
     next_ = std::move(session);
+    keep_ = keep;
 }
 
 void Autosave::watch() {
     const std::uint64_t step = document_.step();
-    if (ended_ || step == step_) {
+    const std::uint64_t notes = document_.notes();
+    if (ended_ || (step == step_ && notes == notes_)) {
         emit changed();
         return;
     }
-    const bool forward = step > step_;
+    const QString what = step == step_  ? tr("note what the file is")
+                         : step > step_ ? document_.undoText()
+                                        : tr("undo %1").arg(document_.redoText());
     step_ = step;
+    notes_ = notes;
     ++count_;
-    const QString what = forward ? document_.undoText() : tr("undo %1").arg(document_.redoText());
     if (state_ != State::failed) state_ = State::writing;
     enqueue({{what.toStdString(), withoutData(document_.state())}});
     emit changed();

@@ -36,7 +36,10 @@ class Autosave : public QObject {
     Result<std::shared_ptr<CaseSession>> takeOver(const Abandoned& abandoned);
     /// Before the document is replaced by the session's case. The user has agreed to leave the present one:
     /// its unsaved edits are forgotten. A replacement without this call begins a case without a place.
-    void follow(std::shared_ptr<CaseSession> session);
+    /// With `keep` they stay where they are, and are offered the next time.
+    void follow(std::shared_ptr<CaseSession> session, bool keep = false);
+    /// Whether the session is that of the document.
+    bool isOpen(const std::shared_ptr<CaseSession>& session) const { return session == session_; }
 
     /// Saves the document to `file`, and from then on keeps its edits there. ErrorCode::output, and nothing
     /// is changed, also when earlier edits of the case are not written in time. Waits for the disk to take
@@ -82,7 +85,9 @@ class Autosave : public QObject {
     Autosaves autosaves_;
     std::shared_ptr<CaseSession> session_;
     std::shared_ptr<CaseSession> next_;
+    bool keep_ = false;  ///< of the next replacement
     std::uint64_t step_ = 0;
+    std::uint64_t notes_ = 0;
     quint64 count_ = 0;
     quint64 kept_ = 0;
     quint64 settled_ = 0;  ///< the edits up to this one are saved, or nobody wants them

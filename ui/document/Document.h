@@ -43,6 +43,7 @@ class Document : public QObject {
     Status saveWith(const std::filesystem::path& file, const std::function<Status(const SceneState&)>& write);
     /// Of the history; see Scene.
     std::uint64_t step() const { return scene_.step(); }
+    std::uint64_t notes() const { return scene_.notes(); }
     /// What was read for a layer, and what takes the place of a preview; see Scene.
     void attachData(const std::string& layer, std::shared_ptr<const LayerData> data);
     void replaceData(const std::shared_ptr<const LayerData>& before, std::shared_ptr<const LayerData> now);

@@ -18,7 +18,7 @@ Result<States> compare(const SceneState& scene, const JobControl& control) {
     States states;
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         const Layer& layer = scene.layers[i];
-        if (!layer.data) continue;
+        if (!layer.data || layer.data->isPreview()) continue;
         const double count = static_cast<double>(scene.layers.size());
         const auto step = control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         step.progress(0, "Hashing " + layer.path.filename().string());
@@ -36,8 +36,14 @@ Result<States> compare(const SceneState& scene, const JobControl& control) {
 
 Evidence::Evidence(Document& document, JobRunner& jobs, Notices& notices, QObject* parent)
     : QObject(parent), document_(document), jobs_(jobs), notices_(notices) {
-    connect(&document_, &Document::replaced, this, [this] { verified_.clear(); });
-    connect(&document_, &Document::changed, this, [this] { watchFiles(); });
+    connect(&document_, &Document::replaced, this, [this] {
+        verified_.clear();
+        known_.clear();
+    });
+    connect(&document_, &Document::changed, this, [this] {
+        forgetOldData();
+        watchFiles();
+    });
     connect(&watcher_, &QFileSystemWatcher::fileChanged, this,
             [this](const QString& p) { onFileChanged(p); });
 }
@@ -48,6 +54,19 @@ EvidenceState Evidence::stateOf(const std::string& layer) const {
     const Layer* known = document_.state().layer(layer);
     if (!known || !known->data || known->data->isPreview()) return EvidenceState::notRead;
     return evidenceDifference(*known) ? EvidenceState::changed : EvidenceState::hashed;
+}
+
+/// What was found out of a file that has been read again since says nothing of what was read then.
+void Evidence::forgetOldData() {
+    bool forgot = false;
+    for (const Layer& layer : document_.state().layers) {
+        if (!layer.data) continue;
+        auto& known = known_[layer.id];
+        if (known.lock() == layer.data) continue;
+        known = layer.data;
+        forgot = verified_.erase(layer.id) > 0 || forgot;
+    }
+    if (forgot) emit changed();
 }
 
 void Evidence::watchFiles() {

@@ -3,6 +3,7 @@
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace vestige {
@@ -10,6 +11,7 @@ namespace vestige {
 class Document;
 class JobRunner;
 class Notices;
+struct LayerData;
 
 /// `touched`: somebody has written to the file, or replaced it, since it was read here.
 enum class EvidenceState { notRead, hashed, unchanged, touched, changed, missing };
@@ -30,13 +32,15 @@ class Evidence : public QObject {
     void changed();
 
   private:
+    void forgetOldData();
     void watchFiles();
     void onFileChanged(const QString& path);
 
     Document& document_;
     JobRunner& jobs_;
     Notices& notices_;
-    std::map<std::string, EvidenceState> verified_;  ///< by layer id
+    std::map<std::string, EvidenceState> verified_;                ///< by layer id
+    std::map<std::string, std::weak_ptr<const LayerData>> known_;  ///< that it was found out of
     QFileSystemWatcher watcher_;
 };
 

@@ -35,7 +35,8 @@ Status readAll(Loaded& loaded, const std::function<void(const Arrival&)>& arrive
         step.progress(0, "Reading " + layer.path.filename().string());
         const auto file = loaded.scene.resolve(layer.path);
         const ReadOptions options = readOptionsOf(layer);
-        Arrival arrival{layer.id, std::exchange(layer.data, nullptr), nullptr};
+        Arrival arrival{layer, std::exchange(layer.data, nullptr), nullptr};
+        arrival.layer.data = nullptr;
         const auto check = checkLoad(file, options, LoadedFor::scene, step);
         if (!check) {
             loaded.unread.push_back({layer.path, check.error()});

@@ -27,7 +27,7 @@ struct TooLarge {
 
 /// Data for a layer of the document: in the place of a preview, or the first it gets.
 struct Arrival {
-    std::string layer;
+    Layer layer;                              ///< as it was read, without data
     std::shared_ptr<const LayerData> before;  ///< the preview; null: there was none
     std::shared_ptr<const LayerData> data;    ///< null: the file could not be read
 };

@@ -6,6 +6,7 @@
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
 #include "core/scene/FileEvidence.h"
+#include "core/scene/SameData.h"
 #include "ui/document/Autosave.h"
 #include "ui/document/Document.h"
 #include "ui/document/LayerDefaults.h"
@@ -54,7 +55,10 @@ Loader::Loader(Document& document, JobRunner& jobs, Notices& notices, QObject* p
     connect(&document_, &Document::replaced, this, [this] {
         ++replacements_;
         previews_.clear();
+        unplaced_.clear();
+        notices_.withdrawOffers();
     });
+    connect(&document_, &Document::changed, this, [this] { place(); });
 }
 
 Status Loader::openCase(const std::filesystem::path& file) {
@@ -104,15 +108,17 @@ Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
     if (unsaved)
         for (const Layer& layer : unsaved->state.layers)
             if (std::none_of(request.layers.begin(), request.layers.end(),
-                             [&](const Layer& other) { return other.path == layer.path; }))
+                             [&](const Layer& other) { return readsTheSame(other, layer); }))
                 request.layers.push_back(layer);
     const std::filesystem::path file = saved.file;
     const QString title =
         file.empty() ? tr("Recovering a case") : tr("Opening %1").arg(toQt(file.filename()));
     const auto shown = std::make_shared<int>(-1);  // the document's number once the case is in it
-    const auto replace = [this, session, saved = std::move(saved), unsaved,
-                          shown](const std::vector<Layer>& read) {
-        open(session, saved, unsaved, read);
+    const auto replace = [this, session, saved = std::move(saved), unsaved, shown, asked = replacements_,
+                          step = document_.step()](const std::vector<Layer>& read) {
+        // The user has agreed to leave the case as it was then.
+        const bool edited = document_.step() != (asked == replacements_ ? step : 0);
+        open(session, saved, unsaved, read, edited);
         *shown = replacements_;
     };
     jobs_.runInParts<Loaded, Progress>(
@@ -130,12 +136,15 @@ Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
         },
         [this, file, replace, shown](Result<Loaded> loaded) {
             if (*shown >= 0 && *shown != replacements_) return;
-            dropPreviews(false);
-            if (!loaded) return tell(loaded.error());
+            dropPreviews();
+            if (!loaded && *shown < 0) return tell(loaded.error());
             if (*shown < 0) replace(loaded->layers);
-            remark(loaded->remarks);
+            if (loaded) remark(loaded->remarks);
             tellDifferences();
-            tell(*loaded, false);
+            if (loaded)
+                tell(*loaded, false);
+            else
+                tellStopped(loaded.error());
             if (!file.empty()) emit opened(toQt(file));
         });
     return firstOf(problems_);
@@ -143,20 +152,32 @@ Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
 
 /// Puts the case in the document's place with the data that were read, and what was not saved on top of it.
 void Loader::open(const std::shared_ptr<CaseSession>& session, SceneState saved,
-                  std::optional<Recovered> unsaved, const std::vector<Layer>& read) {
+                  std::optional<Recovered> unsaved, const std::vector<Layer>& read, bool edited) {
+    const QString opened = saved.file.empty() ? tr("another") : toQt(saved.file.filename());
+    const bool again = autosave_ && session && autosave_->isOpen(session);
+    if (edited && again) unsaved = Recovered{document_.state(), {}};
     const auto giveData = [&](SceneState& scene) {
         for (Layer& layer : scene.layers) {
             for (const Layer& other : read)
-                if (other.path == layer.path) layer.data = other.data;
+                if (!layer.data && readsTheSame(other, layer)) layer.data = other.data;
             noteEvidence(layer);
         }
     };
     giveData(saved);
     if (unsaved) giveData(unsaved->state);
-    if (autosave_ && session) autosave_->follow(session);
+    if (autosave_ && session) autosave_->follow(session, edited && !again);
     document_.replace(std::move(saved));
-    if (unsaved && document_.perform(restoreState(std::move(unsaved->state), "recover unsaved changes")))
-        emit recovered(QString::fromStdString(unsaved->sentence));
+    const bool restored =
+        unsaved && document_.perform(restoreState(std::move(unsaved->state), "recover unsaved changes"));
+    if (restored && !unsaved->sentence.empty()) emit recovered(QString::fromStdString(unsaved->sentence));
+    if (edited && autosave_)
+        notices_.warn(again
+                          ? tr("%1 was changed while it was opened again. These changes are in place, as one "
+                               "step that Undo takes back.")
+                                .arg(opened)
+                          : tr("The case before was changed while %1 was read. These changes are kept and "
+                               "offered the next time.")
+                                .arg(opened));
 }
 
 /// Of files that are not what became part of the case.
@@ -186,24 +207,30 @@ void Loader::add(std::vector<Layer> layers) {
     Loaded request;
     request.scene = document_.state();
     request.layers = std::move(layers);
+    const auto step = std::make_shared<std::uint64_t>(0);  // that added previews
     jobs_.runInParts<Loaded, Progress>(
         tr("Reading %1").arg(what),
         [request](const JobControl& control, const ShowProgress& show) {
             return readFiles(request, show, control);
         },
-        [this, before = replacements_](Progress progress) {
+        [this, before = replacements_, step](Progress progress) {
             if (before != replacements_) return;
             enter(progress.layers);
             remark(progress.remarks);
             for (const Layer& layer : progress.layers) previews_.push_back(layer.data);
-            if (!progress.layers.empty()) addStep_ = document_.undoText();
+            if (!progress.layers.empty()) *step = document_.step();
             for (const Layer& layer : progress.layers) emit opened(toQt(layer.path));
             take(progress.arrivals);
         },
-        [this, before = replacements_](Result<Loaded> loaded) {
+        [this, before = replacements_, step](Result<Loaded> loaded) {
             if (before != replacements_) return;
-            dropPreviews(!loaded);
-            if (!loaded) return tell(loaded.error());
+            dropPreviews();
+            if (!loaded) {
+                // Where adding them was the last step they are taken back; else they stay without data.
+                const bool last = *step != 0 && document_.step() == *step;
+                if (last) document_.undo();
+                return *step == 0 || last ? tell(loaded.error()) : tellStopped(loaded.error());
+            }
             enter(loaded->layers);
             remark(loaded->remarks);
             tell(*loaded, true);
@@ -230,7 +257,8 @@ void Loader::readAgain(const Layer& layer) {
             if (before != replacements_) return;
             if (!loaded) return tell(loaded.error());
             for (const Layer& read : loaded->layers)
-                if (read.data) document_.attachData(read.id, read.data);
+                if (read.data) unplaced_.push_back(read);
+            place();
             tell(*loaded, false);
         });
 }
@@ -251,19 +279,32 @@ void Loader::enter(const std::vector<Layer>& layers) {
 void Loader::take(const std::vector<Arrival>& arrivals) {
     for (const Arrival& arrival : arrivals) {
         std::erase(previews_, arrival.before);
-        if (arrival.before)
+        if (arrival.before) {
             document_.replaceData(arrival.before, arrival.data);
-        else if (arrival.data)
-            document_.attachData(arrival.layer, arrival.data);
+        } else if (arrival.data) {
+            unplaced_.push_back(arrival.layer);
+            unplaced_.back().data = arrival.data;
+        }
     }
+    place();
 }
 
-/// No more comes for the previews that are left. Their layers are taken back where adding them was the last
-/// step; else they stay without data.
-void Loader::dropPreviews(bool takeBack) {
-    if (previews_.empty()) return;
+/// Layers may have changed since their files were asked for: what was read goes to those that still ask for
+/// it, at the latest when undo or redo brings one back.
+void Loader::place() {
+    std::vector<std::pair<std::string, std::shared_ptr<const LayerData>>> found;
+    std::erase_if(unplaced_, [&](const Layer& read) {
+        const std::size_t before = found.size();
+        for (const Layer& layer : document_.state().layers)
+            if (!layer.data && readsTheSame(layer, read)) found.emplace_back(layer.id, read.data);
+        return found.size() > before;
+    });
+    for (const auto& [layer, data] : found) document_.attachData(layer, data);
+}
+
+/// No more comes for the previews that are left.
+void Loader::dropPreviews() {
     for (const auto& preview : std::exchange(previews_, {})) document_.replaceData(preview, nullptr);
-    if (takeBack && document_.undoText() == addStep_) document_.undo();
 }
 
 void Loader::remark(const std::vector<std::string>& remarks) {
@@ -277,13 +318,25 @@ void Loader::tell(const Error& error) {
     notices_.failed(error);
 }
 
+/// After the layers came into the document.
+void Loader::tellStopped(const Error& error) {
+    if (error.code != ErrorCode::cancelled) return tell(error);
+    problems_ = {error};
+    const auto& layers = document_.state().layers;
+    const auto unread = std::count_if(layers.begin(), layers.end(), [](const Layer& l) { return !l.data; });
+    notices_.inform(unread == 0   ? tr("Cancelled; every layer was read.")
+                    : unread == 1 ? tr("Cancelled; 1 layer was not read.")
+                                  : tr("Cancelled; %1 layers were not read.").arg(unread));
+}
+
 void Loader::tell(const Loaded& loaded, bool offering) {
     problems_.clear();
     for (const auto& [file, problem] : loaded.unread) {
         problems_.push_back(problem);
         if (offering && problem.salvageable)
-            notices_.offer(problem, tr("Load what is whole"),
-                           [this, file = file] { static_cast<void>(addFiles({file}, true)); });
+            notices_.offer(problem, tr("Load what is whole"), [this, file = file, asked = replacements_] {
+                if (asked == replacements_) static_cast<void>(addFiles({file}, true));
+            });
         else
             notices_.failed(problem);
     }
@@ -295,9 +348,11 @@ void Loader::tell(const Loaded& loaded, bool offering) {
 
 void Loader::offer(const TooLarge& large) {
     // An added file has no layer yet, or one that shows nothing; a layer of the case remembers the part.
-    const auto load = [this](Layer part) {
+    const auto load = [this, asked = replacements_](Layer part) {
+        if (asked != replacements_) return;
         const Layer* held = document_.state().layer(part.id);
         if (!held) return add({std::move(part)});
+        if (held->path != part.path) return;
         Layer changed = *held;
         changed.keepEvery = part.keepEvery;
         changed.box = part.box;

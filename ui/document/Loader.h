@@ -54,15 +54,17 @@ class Loader : public QObject {
     Status load(std::shared_ptr<CaseSession> session, SceneState saved,
                 const std::vector<std::string>& remarks);
     void open(const std::shared_ptr<CaseSession>& session, SceneState saved, std::optional<Recovered> unsaved,
-              const std::vector<Layer>& read);
+              const std::vector<Layer>& read, bool edited);
     void tellDifferences();
     void add(std::vector<Layer> layers);
     void readAgain(const Layer& layer);
     void enter(const std::vector<Layer>& layers);
     void take(const std::vector<Arrival>& arrivals);
-    void dropPreviews(bool takeBack);
+    void place();
+    void dropPreviews();
     void remark(const std::vector<std::string>& remarks);
     void tell(const Error& error);
+    void tellStopped(const Error& error);
     /// Of files; `offering`: what is whole of a damaged one is to be added.
     void tell(const Loaded& loaded, bool offering);
     void offer(const TooLarge& tooLarge);
@@ -74,7 +76,7 @@ class Loader : public QObject {
     std::vector<Error> problems_;  ///< of the job that was delivered last
     int replacements_ = 0;         ///< of the document: what was asked for an earlier one is not entered
     std::vector<std::shared_ptr<const LayerData>> previews_;  ///< shown, their whole is awaited
-    QString addStep_;                                         ///< the step of the history that added them
+    std::vector<Layer> unplaced_;                             ///< read, and nobody asks for it at present
 };
 
 }  // namespace vestige

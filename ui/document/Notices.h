@@ -28,6 +28,8 @@ class Notices : public QObject {
     void warn(const QString& sentence) { emit warned(sentence); }
     /// A sentence with buttons; it stays until one is pressed or it is closed.
     void offer(const QString& sentence, const std::vector<Offer>& offers) { emit offered(sentence, offers); }
+    /// What they were made of is not open any more.
+    void withdrawOffers() { emit withdrawn(); }
     /// A failure with a way on: a button `label` beside the sentence does `action` on the GUI thread.
     void offer(const Error& error, const QString& label, const std::function<void()>& action) {
         offer(QString::fromStdString(error.sentence()) + ".", {{label, action}});
@@ -44,6 +46,7 @@ class Notices : public QObject {
     void informed(const QString& sentence);
     void informedOf(const QString& sentence, const QString& path);
     void offered(const QString& sentence, const std::vector<vestige::Notices::Offer>& offers);
+    void withdrawn();
     void warned(const QString& sentence);
 };
 

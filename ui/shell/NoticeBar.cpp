@@ -34,7 +34,13 @@ NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
     });
     connect(&notices, &Notices::warned, this, [this](const QString& s) { show(s, true); });
     connect(&notices, &Notices::offered, this,
-            [this](const QString& s, const std::vector<Notices::Offer>& offers) { show(s, true, offers); });
+            [this](const QString& s, const std::vector<Notices::Offer>& offers) {
+                show(s, true, offers);
+                offering_ = true;
+            });
+    connect(&notices, &Notices::withdrawn, this, [this] {
+        if (offering_) hide();
+    });
     hide();
 }
 
@@ -43,6 +49,7 @@ QString NoticeBar::text() const {
 }
 
 void NoticeBar::show(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers) {
+    offering_ = false;
     // One of them may be what was pressed just now.
     for (QToolButton* button : std::exchange(buttons_, {})) {
         button->setObjectName({});

@@ -26,6 +26,7 @@ class NoticeBar : public QWidget {
     QLabel* text_;
     QHBoxLayout* offers_;
     std::vector<QToolButton*> buttons_;
+    bool offering_ = false;  ///< the buttons are of an offer
     QTimer hide_;
 };
 

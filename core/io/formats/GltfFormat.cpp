@@ -87,9 +87,9 @@ ImportRequest requestOf(const Parsed& parsed, ReadJob& job) {
         } else if (const auto known = numbers.find(buffer.file); known != numbers.end()) {
             number = known->second;
         } else {
+            if (buffer.file.filename() != job.path().filename()) job.alsoReads(buffer.file);
             request.files.push_back(openForReading(buffer.file));
             numbers.emplace(buffer.file, number);
-            if (buffer.file.filename() != job.path().filename()) job.alsoReads(buffer.file);
         }
         words["buffers"].push_back({{"file", number}, {"offset", buffer.offset}, {"length", buffer.length}});
     }

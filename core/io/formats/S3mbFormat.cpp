@@ -66,6 +66,7 @@ class TreeReader {
             if (!seen_.insert(file).second)
                 refuseS3mb(from, "the tile '" + file.filename().string() + "' is named a second time",
                            "every file once");
+            job_.alsoReads(file);
             readFile(file, depth);
         });
     }
@@ -123,7 +124,6 @@ class TreeReader {
         std::string names;
         for (const std::string& name : notKept_) names += (names.empty() ? "" : ", ") + name;
         if (!names.empty()) job_.warn("not kept: " + names);
-        for (const fs::path& file : seen_) job_.alsoReads(file);
         LoadedGeometry loaded =
             std::move(cloud_).finish("S3M", version_ + ", " + counted(tiles_, "tile"), job_);
         if (!damage_.empty())

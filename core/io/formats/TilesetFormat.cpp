@@ -56,8 +56,6 @@ void tellWhatIsLeftOut(const TilesetContents& contents, ReadJob& job) {
         job.warn(counted(count, "tile") + " of the kind " + kind + " passed over; only point tiles are read");
     if (contents.replaced > 0)
         job.warn(counted(contents.replaced, "coarser tile") + " left out, since finer ones replace them");
-    for (const std::filesystem::path& tileset : contents.nested) job.alsoReads(tileset);
-    for (const TilesetTile& tile : contents.tiles) job.alsoReads(tile.file);
 }
 
 std::string versionText(const TilesetContents& contents) {
@@ -159,6 +157,7 @@ Result<LoadedGeometry> TilesetFormat::read(const std::filesystem::path& file, co
         ReadJob job(file, control);
         const TilesetContents contents = walkTileset(file, options.salvage, job);
         requireTiles(contents, job);
+        for (const TilesetTile& tile : contents.tiles) job.alsoReads(tile.file);
         TilesReader reader(options, control);
         for (const std::string& sentence : contents.unreadable) reader.notes().damaged(sentence);
         const double count = static_cast<double>(contents.tiles.size());

@@ -119,7 +119,7 @@ class Walker {
     bool walkFile(const fs::path& file, const Eigen::Matrix4d& rootFromFile, const std::string& refine,
                   int nesting) {
         Index index{file, ReadJob(file, {}), nesting};
-        if (nesting > 0) contents_.nested.push_back(file);
+        if (nesting > 0) job_.alsoReads(file);
         if (nesting > kDeepestNesting)
             index.job.refuse("the tilesets are nested too deep",
                              "at most " + std::to_string(kDeepestNesting) + " in each other");

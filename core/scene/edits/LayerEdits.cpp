@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/scene/Edits.h"
+#include "core/scene/SameData.h"
 #include "core/scene/casefile/CaseJson.h"
 #include "core/scene/edits/MovePicks.h"
 #include "core/scene/edits/SwapEdit.h"
@@ -88,10 +89,9 @@ class ChangeLayer final : public SceneEdit {
         Layer& held = *scene.layer(layer_.id);
         std::swap(held, layer_);
         // Data that was attached after this edit was made, or undone, belongs to the file, not to the edit.
-        const bool samePart =
-            held.keepEvery == layer_.keepEvery && held.box.has_value() == layer_.box.has_value() &&
-            (!held.box || (held.box->min == layer_.box->min && held.box->max == layer_.box->max));
-        if (!held.data && held.path == layer_.path && samePart) held.data = layer_.data;
+        if (!readsTheSame(held, layer_)) return;
+        if (!held.data) held.data = layer_.data;
+        if (!held.evidence) held.evidence = layer_.evidence;
     }
 
     Layer layer_;

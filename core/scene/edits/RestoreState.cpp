@@ -1,5 +1,6 @@
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "core/scene/SameData.h"
 
 namespace vestige {
 namespace {
@@ -19,8 +20,11 @@ class RestoreState final : public SceneEdit {
         std::swap(scene.file, state_.file);
         // What was read belongs to the file, not to the edit.
         for (Layer& layer : scene.layers)
-            for (const Layer& other : state_.layers)
-                if (!layer.data && other.data && other.path == layer.path) layer.data = other.data;
+            for (const Layer& other : state_.layers) {
+                if (!readsTheSame(layer, other)) continue;
+                if (!layer.data) layer.data = other.data;
+                if (!layer.evidence) layer.evidence = other.evidence;
+            }
     }
     std::string describe() const override { return text_; }
 

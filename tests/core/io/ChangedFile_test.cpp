@@ -110,6 +110,24 @@ TEST(ChangedFile, ThatShrinksWhileItIsReadIsRefusedWithASentence) {
     EXPECT_NE(loaded.error().sentence().find("cloud.xyz"), std::string::npos);
 }
 
+TEST(ChangedFile, AFaultInAnotherFileThatIsReadBesideItIsNoneOfItsOwn) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeTextFile(folder / "cloud.xyz", manyLines(100000)));
+    ASSERT_TRUE(writeTextFile(folder / "other.bin", std::string(1 << 20, 'x')));
+    bool broken = false;
+    OnProgress beside([&] {
+        std::thread([&] {
+            const auto other = MappedFile::open(folder / "other.bin");
+            fs::resize_file(folder / "other.bin", 10);
+            broken = other->text().back() == '\0' && !other->intact();
+        }).join();
+    });
+    const auto loaded = readGeometry(folder / "cloud.xyz", beside.control);
+    EXPECT_TRUE(broken);
+    ASSERT_TRUE(loaded) << loaded.error().sentence();
+    EXPECT_EQ(loaded->geometry.vertices.size(), 100000U);
+}
+
 TEST(ChangedFile, ThatIsReplacedOrGrowsWhileItIsReadIsRefused) {
     const test::TemporaryFolder folder;
     const fs::path file = folder / "cloud.xyz";

@@ -82,6 +82,65 @@ TEST(LayerEdits, ChangeLosesNoDataAttachedMeanwhile) {
     EXPECT_EQ(scene.layers[2].data, data);
 }
 
+TEST(LayerEdits, ChangeLosesNoEvidenceNotedMeanwhile) {
+    SceneState scene = sampleScene();
+    scene.layers[2].evidence.reset();
+    Layer layer = scene.layers[2];
+    layer.name = "Photographs";
+    const auto edit = changeLayer(layer, "rename layer");
+    ASSERT_TRUE(edit->apply(scene));
+    scene.layers[2].evidence = FileEvidence{std::string(64, 'a'), 5, ""};
+    edit->revert(scene);
+    EXPECT_EQ(scene.layers[2].evidence, (FileEvidence{std::string(64, 'a'), 5, ""}));
+}
+
+/// What a layer can differ in that makes other points of the same file.
+std::vector<Layer> otherPartsOf(const Layer& layer) {
+    std::vector<Layer> others(4, layer);
+    others[0].keepEvery = 5;
+    others[1].box = BoundingBox{{0, 0, 0}, {1, 1, 1}};
+    others[2].salvage = !layer.salvage;
+    others[3].path = "/data/other.ply";
+    return others;
+}
+
+TEST(LayerEdits, DataGoToNoOtherPartOfTheFile) {
+    SceneState scene = sampleScene();
+    scene.layers[2].data = nullptr;
+    for (const Layer& part : otherPartsOf(scene.layers[2])) {
+        const auto edit = changeLayer(part, "load a part");
+        ASSERT_TRUE(edit->apply(scene));
+        scene.layers[2].data = std::make_shared<const LayerData>();
+        edit->revert(scene);
+        EXPECT_FALSE(scene.layers[2].data);
+        SceneState recovered = scene;
+        recovered.layers[2] = part;
+        recovered.layers[2].data = std::make_shared<const LayerData>();
+        const auto restore = restoreState(recovered, "recover");
+        ASSERT_TRUE(restore->apply(scene));
+        EXPECT_TRUE(scene.layers[2].data);
+        restore->revert(scene);
+        EXPECT_FALSE(scene.layers[2].data);
+    }
+}
+
+TEST(CaseEdits, RestoringKeepsWhatWasReadMeanwhile) {
+    SceneState scene = sampleScene();
+    scene.layers[2].data = nullptr;
+    scene.layers[2].evidence.reset();
+    SceneState other = scene;
+    other.operatorName = "another";
+    const auto edit = restoreState(other, "recover");
+    ASSERT_TRUE(edit->apply(scene));
+    const auto data = std::make_shared<const LayerData>();
+    scene.layers[2].data = data;
+    scene.layers[2].evidence = FileEvidence{std::string(64, 'a'), 5, ""};
+    edit->revert(scene);
+    EXPECT_NE(scene.operatorName, "another");
+    EXPECT_EQ(scene.layers[2].data, data);
+    EXPECT_EQ(scene.layers[2].evidence->sha256, std::string(64, 'a'));
+}
+
 TEST(LayerEdits, Visible) {
     EXPECT_TRUE(changed(setLayerVisible("photo", true)).layers[2].visible);
     expectNothing(setLayerVisible("aerial", true));

@@ -116,6 +116,61 @@ TEST(Scene, DataThatReplaceAPreviewReachTheHistoryToo) {
     EXPECT_FALSE(scene.state().layer("large")->data);
 }
 
+TEST(Scene, WhatWasReplacedIsNotKeptOnceNobodyHoldsIt) {
+    Scene scene(sampleScene());
+    auto preview = std::make_shared<const LayerData>();
+    auto whole = std::make_shared<const LayerData>();
+    const std::weak_ptr<const LayerData> kept = whole;
+    scene.attachData("photo", preview);
+    scene.replaceData(preview, whole);
+    scene.attachData("photo", nullptr);
+    preview = whole = nullptr;
+    scene.perform(setTape("Right rearview mirror", 0.2));
+    EXPECT_TRUE(kept.expired());
+}
+
+TEST(Scene, AFileThatBecomesKnownAfterItsStepIsAChange) {
+    const auto preview = std::make_shared<const LayerData>();
+    auto read = std::make_shared<LayerData>();
+    read->sha256 = std::string(64, 'a');
+    Scene scene(sampleScene());
+    Layer added = test::sampleLayer("large", LayerRole::handheld);
+    added.data = preview;
+    scene.perform(addLayer(added));
+    const std::uint64_t step = scene.step();
+    scene.markSaved("/cases/a.vestige");
+    ASSERT_FALSE(scene.modified());
+    scene.replaceData(preview, read);
+    EXPECT_EQ(scene.state().layer("large")->evidence->sha256, read->sha256);
+    EXPECT_EQ(scene.step(), step);
+    EXPECT_EQ(scene.notes(), 1U);
+    EXPECT_TRUE(scene.modified()) << "the saved case does not know the file";
+    scene.undo();
+    scene.redo();
+    EXPECT_TRUE(scene.modified());
+    scene.markSaved("/cases/a.vestige");
+    EXPECT_FALSE(scene.modified());
+    scene.attachData("photo", read);
+    EXPECT_FALSE(scene.modified()) << "loading a case as it was opened changes nothing of it";
+    EXPECT_EQ(scene.notes(), 1U);
+}
+
+TEST(Scene, AFileThatBecomesKnownWhileItsLayerIsAwayIsAChangeToo) {
+    const auto preview = std::make_shared<const LayerData>();
+    auto read = std::make_shared<LayerData>();
+    read->sha256 = std::string(64, 'a');
+    Scene scene(sampleScene());
+    Layer added = test::sampleLayer("large", LayerRole::handheld);
+    added.data = preview;
+    scene.perform(addLayer(added));
+    scene.markSaved("/cases/a.vestige");
+    scene.perform(removeLayer("large"));
+    scene.replaceData(preview, read);
+    scene.undo();
+    EXPECT_EQ(scene.state().layer("large")->evidence->sha256, read->sha256);
+    EXPECT_TRUE(scene.modified()) << "the saved case does not know the file";
+}
+
 TEST(Scene, AttachedDataAreNoStep) {
     Scene scene(sampleScene());
     const auto data = std::make_shared<const LayerData>();

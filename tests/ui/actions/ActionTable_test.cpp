@@ -67,8 +67,12 @@ TEST(ActionCatalog, FollowsTheSituation) {
     actions.update(now);
     EXPECT_TRUE(actions["edit.undo"].isEnabled());
     EXPECT_TRUE(actions["register.run"].isEnabled());
+    now.hasMeasured = true;
+    actions.update(now);
+    EXPECT_TRUE(actions["export.csv"].isEnabled());
     now.busy = true;
     actions.update(now);
+    EXPECT_FALSE(actions["export.csv"].isEnabled()) << "some of the points may be a first look only";
     EXPECT_FALSE(actions["register.run"].isEnabled());
     EXPECT_FALSE(actions["file.add-files"].isEnabled());
 }

@@ -10,7 +10,9 @@
 #include "core/io/LasWriter.h"
 #include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
+#include "core/scene/store/CaseStore.h"
 #include "tests/support/TestPaths.h"
+#include "ui/document/Autosave.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
 #include "ui/jobs/InlineJobRunner.h"
@@ -48,6 +50,9 @@ std::filesystem::path writeVast(const std::filesystem::path& file) {
 class Loading : public testing::Test {
   public:
     Loading() {
+        QObject::connect(&notices, &Notices::informed, [this](const QString& said) { told << said; });
+        QObject::connect(&notices, &Notices::warned, [this](const QString& said) { told << said; });
+        QObject::connect(&notices, &Notices::withdrawn, [this] { ++withdrawals; });
         QObject::connect(&notices, &Notices::offered,
                          [this](const QString& sentence, const std::vector<Notices::Offer>& made) {
                              offered = sentence;
@@ -61,6 +66,8 @@ class Loading : public testing::Test {
     test::TemporaryFolder folder;
     Document document;
     Notices notices;
+    QStringList told;
+    int withdrawals = 0;
     QString offered;
     std::vector<Notices::Offer> offers;
 };
@@ -78,6 +85,7 @@ TEST_F(Loading, ALargeFileIsShownBeforeItIsRead) {
         previews.push_back(data.isPreview());
         if (!data.isPreview()) return;
         EXPECT_EQ(data.awaitedPoints, kMany);
+        EXPECT_EQ(data.stamp, stampOf(file).value()) << "it is watched";
         EXPECT_EQ(&data.octree->cloud(), data.points.get()) << "it can be picked";
     });
     static_cast<void>(loader.addFiles({file}));
@@ -181,6 +189,233 @@ TEST_F(Loading, WhatDoesNotFitIsRefusedWithAnOffer) {
     EXPECT_TRUE(offered.contains("20 000 000 000 points need"));
     ASSERT_EQ(offers.size(), 1U);
     EXPECT_TRUE(offers[0].text.startsWith("Load every "));
+}
+
+TEST_F(Loading, OffersAreOfTheCaseTheyWereMadeFor) {
+    const auto file = writeVast(folder / "vast.las");
+    InlineJobRunner jobs;
+    Loader loader(document, jobs, notices);
+    int started = 0;
+    QObject::connect(&jobs, &JobRunner::started, [&] { ++started; });
+    ASSERT_FALSE(loader.addFiles({file}));
+    ASSERT_EQ(started, 1);
+    writeSquare(file, 1000);
+    Layer same;
+    same.id = "vast";
+    same.path = folder / "another.las";
+    SceneState other;
+    other.layers = {same};
+    EXPECT_EQ(withdrawals, 0);
+    document.replace(other);
+    EXPECT_EQ(withdrawals, 1);
+    offers.at(0).take();
+    EXPECT_EQ(started, 1);
+    EXPECT_EQ(document.state().layers.size(), 1U);
+    EXPECT_EQ(document.state().layers[0].keepEvery, 1U);
+}
+
+TEST_F(Loading, LayersOfOneFileGetTheirOwnPartOfIt) {
+    writeSquare(folder / "small.las", 1000);
+    ASSERT_TRUE(writeTextFile(folder / "case.json", R"({"vestige":1,"layers":[
+        {"id":"a","role":"aerial","path":"small.las"},
+        {"id":"b","role":"aerial","path":"small.las","keep_every":4},
+        {"id":"c","role":"aerial","path":"small.las","box":[483000,4374999,0,483001.005,4375009,99]}],
+        "registration":{"target":"a"}})"));
+    InlineJobRunner jobs;
+    Loader loader(document, jobs, notices);
+    const Status opened = loader.openCase(folder / "case.json");
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    std::vector<std::size_t> sizes;
+    for (const Layer& layer : document.state().layers) sizes.push_back(layer.data->points->size());
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{1000, 250, 101}));
+}
+
+TEST_F(Loading, APartThatWasUndoneWhileItWasReadGoesToNoWholeLayer) {
+    const auto file = writeVast(folder / "vast.las");
+    ASSERT_TRUE(writeTextFile(folder / "case.json", R"({"vestige":1,"layers":[
+        {"id":"a","role":"aerial","path":"vast.las"}],"registration":{"target":"a"}})"));
+    ThreadedJobRunner jobs;
+    Loader loader(document, jobs, notices);
+    ASSERT_TRUE(loader.openCase(folder / "case.json"));
+    settle(jobs);
+    ASSERT_EQ(offers.size(), 1U);
+    writeSquare(file, 1000);
+    offers[0].take();
+    ASSERT_GT(document.state().layers[0].keepEvery, 1U);
+    document.undo();
+    settle(jobs);
+    EXPECT_EQ(document.state().layers[0].keepEvery, 1U);
+    EXPECT_FALSE(document.state().layers[0].data);
+    document.redo();
+    ASSERT_TRUE(document.state().layers[0].data) << "it is there when it is wanted";
+    EXPECT_LT(document.state().layers[0].data->points->size(), 1000U);
+}
+
+TEST_F(Loading, ACancelledCaseSaysWhatWasNotReadAndIsOpen) {
+    writeSquare(folder / "large.las", kMany);
+    writeSquare(folder / "small.las", 1000);
+    ASSERT_TRUE(writeTextFile(folder / "case.json", R"({"vestige":1,"layers":[
+        {"id":"a","role":"aerial","path":"large.las"},
+        {"id":"b","role":"aerial","path":"small.las"}],"registration":{"target":"a"}})"));
+    ThreadedJobRunner jobs;
+    Loader loader(document, jobs, notices);
+    QStringList opened;
+    QObject::connect(&loader, &Loader::opened, [&](const QString& path) { opened << path; });
+    QObject::connect(&document, &Document::replaced, [&] { jobs.cancel(); });
+    ASSERT_TRUE(loader.openCase(folder / "case.json"));
+    settle(jobs);
+    EXPECT_EQ(document.state().layers.size(), 2U);
+    EXPECT_EQ(opened.size(), 1);
+    EXPECT_EQ(told, QStringList("Cancelled; 2 layers were not read."));
+}
+
+TEST_F(Loading, CancellingTakesOnlyTheAddedLayersBack) {
+    const auto file = writeSquare(folder / "large.las", kMany);
+    ThreadedJobRunner jobs;
+    Loader loader(document, jobs, notices);
+    bool edited = false;
+    QObject::connect(
+        &document, &Document::changed, &document,
+        [&] {
+            if (edited || document.state().layers.empty()) return;
+            edited = true;
+            document.begin("add large");  // the same words
+            document.perform(setCaseDetails("night", "somebody", {}));
+            document.end();
+            jobs.cancel();
+        },
+        Qt::QueuedConnection);
+    static_cast<void>(loader.addFiles({file}));
+    settle(jobs);
+    ASSERT_TRUE(edited);
+    EXPECT_EQ(document.state().operatorName, "somebody");
+    ASSERT_EQ(document.state().layers.size(), 1U);
+    EXPECT_FALSE(document.state().layers[0].data);
+    EXPECT_EQ(told, QStringList("Cancelled; 1 layer was not read."));
+}
+
+/// Documents that keep their edits, one after the other as in different programs.
+class KeptLoading : public Loading {
+  public:
+    struct Window {
+        explicit Window(KeptLoading& test)
+            : autosave(document, test.folder / "user"), loader(document, jobs, test.notices) {
+            loader.setAutosave(&autosave);
+        }
+        Document document;
+        ThreadedJobRunner jobs;
+        Autosave autosave;
+        Loader loader;
+    };
+    std::unique_ptr<Window> start() { return std::make_unique<Window>(*this); }
+    std::filesystem::path writeNight() {
+        writeSquare(folder / "small.las", 1000);
+        Layer layer;
+        layer.id = layer.name = "a";
+        layer.method = defaultMethod(layer.role);
+        layer.path = folder / "small.las";
+        SceneState scene;
+        scene.layers = {layer};
+        scene.target = "a";
+        EXPECT_TRUE(writeCase(folder / "night.vestige", scene));
+        return folder / "night.vestige";
+    }
+    void open(Window& window, const std::filesystem::path& place) {
+        const Status opened = window.loader.openCase(place);
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        settle(window.jobs);
+    }
+};
+
+TEST_F(KeptLoading, EditsMadeWhileAnotherCaseIsReadAreKept) {
+    const auto night = writeNight();
+    ASSERT_TRUE(writeTextFile(folder / "day.json", R"({"vestige":1,"layers":[
+        {"id":"b","role":"aerial","path":"small.las"}],"registration":{"target":"b"}})"));
+    auto window = start();
+    open(*window, night);
+    window->document.perform(setCaseDetails("night", "agreed to leave", {}));
+    ASSERT_TRUE(window->loader.openCase(folder / "day.json"));
+    window->document.perform(setCaseDetails("night", "made meanwhile", {}));
+    settle(window->jobs);
+    ASSERT_EQ(window->document.state().layers.at(0).id, "b");
+    ASSERT_EQ(told.size(), 1) << told.join("\n").toStdString();
+    EXPECT_TRUE(told[0].contains("are kept")) << told[0].toStdString();
+    ASSERT_TRUE(window->autosave.flush(20000));
+    window = start();
+    open(*window, night);
+    EXPECT_EQ(window->document.state().operatorName, "made meanwhile");
+    window->document.undo();
+    EXPECT_EQ(window->document.state().operatorName, "");
+}
+
+TEST_F(KeptLoading, EditsThatTheUserHasAgreedToLeaveAreForgotten) {
+    const auto night = writeNight();
+    ASSERT_TRUE(writeTextFile(folder / "day.json", R"({"vestige":1,"layers":[
+        {"id":"b","role":"aerial","path":"small.las"}],"registration":{"target":"b"}})"));
+    auto window = start();
+    open(*window, night);
+    window->document.perform(setCaseDetails("night", "agreed to leave", {}));
+    open(*window, folder / "day.json");
+    EXPECT_TRUE(told.isEmpty()) << told.join("\n").toStdString();
+    ASSERT_TRUE(window->autosave.flush(20000));
+    window = start();
+    open(*window, night);
+    EXPECT_EQ(window->document.state().operatorName, "");
+}
+
+TEST_F(KeptLoading, EditsMadeWhileTheCaseIsOpenedAgainComeBackAsAStep) {
+    const auto night = writeNight();
+    auto window = start();
+    open(*window, night);
+    ASSERT_TRUE(window->loader.openCase(night));
+    window->document.perform(setCaseDetails("night", "made meanwhile", {}));
+    settle(window->jobs);
+    EXPECT_EQ(window->document.state().operatorName, "made meanwhile");
+    EXPECT_EQ(told.size(), 1) << told.join("\n").toStdString();
+    window->document.undo();
+    EXPECT_EQ(window->document.state().operatorName, "");
+    window->document.redo();
+    ASSERT_TRUE(window->autosave.flush(20000));
+    window = start();
+    open(*window, night);
+    EXPECT_EQ(window->document.state().operatorName, "made meanwhile") << "after a crash, too";
+}
+
+TEST_F(KeptLoading, ARecoveredPartIsThatPartAndUndoneTheWhole) {
+    const auto night = writeNight();
+    auto window = start();
+    open(*window, night);
+    Layer part = window->document.state().layers.at(0);
+    part.keepEvery = 4;
+    part.data = nullptr;
+    ASSERT_TRUE(window->document.perform(changeLayer(part, "load a part")));
+    ASSERT_TRUE(window->autosave.flush(20000));
+    window = start();
+    open(*window, night);
+    const auto& layers = window->document.state().layers;
+    ASSERT_TRUE(layers.at(0).data);
+    EXPECT_EQ(layers[0].keepEvery, 4U);
+    EXPECT_EQ(layers[0].data->points->size(), 250U);
+    window->document.undo();
+    ASSERT_TRUE(layers.at(0).data);
+    EXPECT_EQ(layers[0].keepEvery, 1U);
+    EXPECT_EQ(layers[0].data->points->size(), 1000U);
+}
+
+TEST_F(KeptLoading, TheHashThatComesAfterAFirstLookIsKeptToo) {
+    const auto file = writeSquare(folder / "large.las", kMany);
+    std::string sha256;
+    {
+        const auto window = start();
+        static_cast<void>(window->loader.addFiles({file}));
+        settle(window->jobs);
+        sha256 = window->document.state().layers.at(0).evidence->sha256;
+        ASSERT_TRUE(window->autosave.flush(20000));
+    }
+    const auto window = start();
+    const auto left = window->autosave.abandoned();
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_NE(left[0].content.drafts.at(0).find(sha256), std::string::npos);
 }
 
 }  // namespace
