@@ -181,6 +181,12 @@ Result<std::shared_ptr<const PointCloud>> allAttributes(const Layer& layer, cons
     if (!isAsRead()) return fail(changed);
     ReadOptions options = readOptionsOf(layer);
     options.attributes = ReadOptions::Attributes::all;
+    if (const auto check = checkLoad(file, options, LoadedFor::command); check && !check->estimate.fits())
+        return fail(
+            tooLarge(file, check->estimate,
+                     "all attributes of its points are wanted, beside what is held of them; expected: "
+                     "more free memory, or a layer that is thinned or a part (\"keep_every\", "
+                     "\"box\" in the case)"));
     auto loaded = readGeometry(file, options, control);
     if (!loaded) return fail(loaded.error());
     if (!isAsRead() || loaded->geometry.vertices.size() != layer.data->points->size()) return fail(changed);

@@ -26,7 +26,8 @@ Result<LoadCheck> checkLoad(const std::filesystem::path& file, const ReadOptions
                             LoadedFor use = LoadedFor::scene, const JobControl& control = {});
 /// What refuses a file that does not fit, with what can be done: ErrorCode::input. `offer` says how.
 Error tooLarge(const std::filesystem::path& file, const LoadEstimate& estimate, const std::string& offer);
-/// The offer on a command line: "--every 4 loads every 4th point, --box ... a part".
+/// The offer on a command line: "--every 4 loads every 4th point, --box ... a part"; or, of a format whose
+/// parts take the memory of the whole, what else to do.
 std::string commandLineOffer(const LoadEstimate& estimate);
 
 /// Reads a part of one file, hashes the file meanwhile, and builds the octree; any thread. Does not ask

@@ -360,6 +360,9 @@ void Loader::offer(const TooLarge& large) {
         document_.perform(changeLayer(changed, "load a part of " + changed.name));
         readAgain(changed);
     };
+    if (!large.check.estimate.partsHelp)
+        return notices_.failed(
+            tooLarge(large.layer.path, large.check.estimate, commandLineOffer(large.check.estimate)));
     const std::uint32_t every = large.check.estimate.keepEveryToFit;
     Layer thinned = large.layer;
     thinned.keepEvery = every;
