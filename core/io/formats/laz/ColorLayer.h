@@ -91,7 +91,10 @@ class ColorLayer {
             if (fresh || !asVersion3_) place = wanted;
             current_ = wanted;
         }
-        last_[place] = channels_[current_].next(code_, last_[place]);
+        // A copy that nothing else refers to stays in registers.
+        RangeDecoder code = code_;
+        last_[place] = channels_[current_].next(code, last_[place]);
+        code_ = code;
         return last_[place];
     }
 

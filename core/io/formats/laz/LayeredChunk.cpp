@@ -43,7 +43,7 @@ void LayeredChunk::beginFirst(const std::byte* record) {
     used_ = {};
     current_ = load<std::uint8_t>(record + 15) >> 4 & 3U;
     used_[current_] = true;
-    if (!channels_[current_]) channels_[current_] = std::make_unique<Channel>();
+    if (!channels_[current_]) channels_[current_] = std::make_unique_for_overwrite<Channel>();
     Channel& channel = *channels_[current_];
     const auto returns = load<std::uint8_t>(record + 14);
     const auto flags = load<std::uint8_t>(record + 15);
@@ -68,7 +68,7 @@ void LayeredChunk::changeChannel() {
     current_ = (current_ + channels_[current_]->position.channelStep(position_)) % 4;
     if (used_[current_]) return;
     used_[current_] = true;
-    if (!channels_[current_]) channels_[current_] = std::make_unique<Channel>();
+    if (!channels_[current_]) channels_[current_] = std::make_unique_for_overwrite<Channel>();
     Channel& channel = *channels_[current_];
     channel.position.begin(before.position.x(), before.position.y(), before.position.returns());
     channel.height.begin(before.height.z());

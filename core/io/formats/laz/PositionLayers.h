@@ -49,7 +49,9 @@ class PositionChannel {
     /// By how many channels to go on, 1 to 3.
     unsigned channelStep(RangeDecoder& code) { return code.symbol(channel_) + 1; }
 
-    [[gnu::always_inline]] PointChange next(RangeDecoder& code, unsigned changes) {
+    [[gnu::always_inline]] PointChange next(RangeDecoder& coded, unsigned changes) {
+        // A copy that nothing else refers to stays in registers.
+        RangeDecoder code = coded;
         PointChange change;
         change.time = (changes & 16U) != 0;
         change.source = (changes & 32U) != 0;
@@ -63,11 +65,12 @@ class PositionChannel {
         change.sizeX = dx_.size();
         y_ += step(code, dy_, medianY_[context], single + (change.sizeX < 20 ? change.sizeX & ~1U : 20U));
         change.sizeY = dy_.size();
+        coded = code;
         return change;
     }
 
   private:
-    void readReturns(RangeDecoder& code, unsigned changes) {
+    [[gnu::always_inline]] void readReturns(RangeDecoder& code, unsigned changes) {
         const unsigned before = returns_.number;
         if ((changes & 4U) != 0)
             returns_.count = static_cast<std::uint8_t>(code.symbol(counts_[returns_.count]));

@@ -44,7 +44,7 @@ class RangeDecoder {
         model.count(symbol);
         return symbol;
     }
-    bool bit(BitModel& model) {
+    [[gnu::always_inline]] bool bit(BitModel& model) {
         const std::uint32_t split = model.probabilityOfZero() * (length_ >> BitModel::kProbabilityBits);
         const bool bit = value_ >= split;
         if (bit) {
@@ -58,7 +58,7 @@ class RangeDecoder {
         return bit;
     }
     /// `count` bits, 1 to 32, that no model foretells. A number beyond them is none that an encoder writes.
-    std::uint32_t bits(unsigned count) {
+    [[gnu::always_inline]] std::uint32_t bits(unsigned count) {
         if (count <= 19) return fewBits(count);
         const std::uint32_t low = fewBits(16);
         return fewBits(count - 16) << 16 | low;
@@ -73,7 +73,7 @@ class RangeDecoder {
         renormalise();
         return number;
     }
-    std::uint32_t nextByte() {
+    [[gnu::always_inline]] std::uint32_t nextByte() {
         if (next_ != end_) return std::to_integer<std::uint32_t>(*next_++);
         failed_ = true;
         return 0;
@@ -82,7 +82,7 @@ class RangeDecoder {
     [[gnu::always_inline]] void renormalise() {
         const unsigned bits = static_cast<unsigned>(std::countl_zero(length_)) & 24U;
         if (end_ - next_ >= 4) [[likely]] {
-            const std::uint64_t ahead = load<std::uint32_t>(next_, std::endian::big);
+            const std::uint64_t ahead = __builtin_bswap32(load<std::uint32_t>(next_));
             value_ = static_cast<std::uint32_t>(((std::uint64_t{value_} << 32 | ahead) << bits) >> 32);
             length_ <<= bits;
             next_ += bits / 8;

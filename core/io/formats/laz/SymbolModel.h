@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace vestige::laz {
@@ -11,13 +12,17 @@ namespace vestige::laz {
 /// Probabilities have 15 bits.
 inline constexpr unsigned kProbabilityBits = 15;
 inline constexpr std::uint32_t kMostCounted = 1U << kProbabilityBits;
-inline constexpr std::int16_t kAbove = 0x7fff;
 
-/// How many of 16 ascending numbers are not above `place`.
-[[gnu::always_inline]] inline unsigned countUpTo(const std::int16_t* ascending, __m256i place) {
+/// Beginnings of ranges are kept less 2^15: sixteen signed numbers are compared at once, and the places of a
+/// code, which are a little more than 15 bits, fit. Above all of them:
+inline constexpr std::int16_t kAbove = 0x7fff;
+inline constexpr std::uint32_t kBias = 0x8000;
+
+/// Twice how many of 16 ascending numbers are not above `place`.
+[[gnu::always_inline]] inline unsigned twiceCountUpTo(const std::int16_t* ascending, __m256i place) {
     const __m256i above =
         _mm256_cmpgt_epi16(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(ascending)), place);
-    return 16 - static_cast<unsigned>(_mm_popcnt_u32(static_cast<unsigned>(_mm256_movemask_epi8(above)))) / 2;
+    return static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm256_movemask_epi8(above))));
 }
 
 /// An adaptive model of up to `Capacity` symbols after A. Said, "Introduction to Arithmetic Coding - Theory
@@ -36,22 +41,25 @@ class SymbolModel {
         if (cycle_ == 0) [[unlikely]]
             begin();
     }
-    /// The symbol in whose part of the range `place` lies; last() for one beyond the range.
+    /// The symbol in whose part of the range `place` lies. RangeDecoder asks for places below 2^15 + 64.
     [[gnu::always_inline]] unsigned find(std::uint32_t place) const {
-        const __m256i wanted = _mm256_set1_epi16(static_cast<short>(std::min<std::uint32_t>(place, kAbove)));
-        unsigned symbol = 0;
+        const __m256i wanted = _mm256_set1_epi16(static_cast<short>(place - kBias));
         if constexpr (kDirect) {
-            for (unsigned at = 0; at < kSize; at += 16) symbol += countUpTo(from_.data() + at, wanted);
+            unsigned twice = 0;
+            for (unsigned at = 0; at < kSize; at += 16) twice += twiceCountUpTo(from_.data() + at, wanted);
+            return twice / 2 - 1;
         } else {
-            unsigned group = 0;
-            for (unsigned at = 0; at < kGroups; at += 16) group += countUpTo(groups_.data() + at, wanted);
-            group = 16 * std::min(group - 1, kSize / 16 - 1);
-            symbol = group + countUpTo(from_.data() + group, wanted);
+            unsigned twice = 0;
+            for (unsigned at = 0; at < kGroups; at += 16)
+                twice += twiceCountUpTo(groups_.data() + at, wanted);
+            const unsigned group = 8 * twice - 16;
+            return group + twiceCountUpTo(from_.data() + group, wanted) / 2 - 1;
         }
-        return std::min(symbol - 1, last());
     }
     /// Where the part of `symbol` begins.
-    std::uint32_t from(unsigned symbol) const { return static_cast<std::uint32_t>(from_[symbol]); }
+    [[gnu::always_inline]] std::uint32_t from(unsigned symbol) const {
+        return static_cast<std::uint32_t>(from_[symbol] + static_cast<int>(kBias));
+    }
     [[gnu::always_inline]] void count(unsigned symbol) {
         ++counts_[symbol];
         if (--untilUpdate_ == 0) [[unlikely]]
@@ -85,7 +93,7 @@ class SymbolModel {
         const std::uint32_t scale = 0x80000000U / total_;
         std::uint32_t sum = 0;
         for (unsigned symbol = 0; symbol < symbols_; ++symbol) {
-            from_[symbol] = static_cast<std::int16_t>((scale * sum) >> (31 - kProbabilityBits));
+            from_[symbol] = static_cast<std::int16_t>(((scale * sum) >> (31 - kProbabilityBits)) - kBias);
             sum += counts_[symbol];
         }
         if constexpr (!kDirect)

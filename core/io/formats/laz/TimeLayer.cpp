@@ -7,8 +7,8 @@ constexpr unsigned kMostMultiple = 500;
 constexpr unsigned kMostNegative = 10;
 constexpr unsigned kWhole = kMostMultiple + kMostNegative + 1;
 constexpr int kExtremesInARow = 3;
-/// An encoder goes to another sequence once for a time; damaged bytes could do so for ever.
-constexpr int kMostSwitches = 1000;
+/// An encoder goes to another sequence at most once for a time; damaged bytes could do so for long.
+constexpr int kMostSwitches = 64;
 
 std::uint64_t extended(std::uint32_t number) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<std::int32_t>(number)));
