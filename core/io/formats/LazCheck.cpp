@@ -78,46 +78,10 @@ void checkItems(std::span<const std::byte> file, const LasHeader& header, const 
     }
 }
 
-/// What lies in whole chunks of point formats 6 and later.
-struct WholeChunks {
-    std::uint64_t points = 0;
-    std::size_t end = 0;  ///< the byte behind the last whole chunk
-};
-
-/// Chunk after chunk a whole point, the number of points, the size of each layer, the layers, up to `limit`.
-WholeChunks wholeChunks(std::span<const std::byte> file, const LasHeader& header, std::size_t limit) {
-    constexpr std::size_t kPointLayers = 9;
-    const std::size_t extraBytes = header.recordLength - lasPointLayout(header.pointFormat).size;
-    // Colour and wave packet are one layer each, colour with infrared two, each extra byte one.
-    constexpr std::array<std::size_t, 5> kMoreLayers{0, 1, 2, 1, 3};
-    const std::size_t layers =
-        kPointLayers + kMoreLayers.at(static_cast<std::size_t>(header.pointFormat - 6)) + extraBytes;
-    const std::size_t head = header.recordLength + 4 + 4 * layers;
-    WholeChunks whole{0, header.pointOffset + 8};
-    while (limit > whole.end && limit - whole.end >= head) {
-        std::size_t size = head;
-        for (std::size_t layer = 0; layer < layers; ++layer)
-            size += load<std::uint32_t>(file.data() + whole.end + header.recordLength + 4 + 4 * layer);
-        if (limit - whole.end < size) break;
-        std::size_t at = whole.end + head;
-        bool decodable = true;
-        for (std::size_t layer = 0; layer < layers; ++layer) {
-            const auto bytes =
-                load<std::uint32_t>(file.data() + whole.end + header.recordLength + 4 + 4 * layer);
-            decodable = decodable && !beginsBeyondRange(file.subspan(at, bytes));
-            at += bytes;
-        }
-        if (!decodable) break;
-        whole.points += load<std::uint32_t>(file.data() + whole.end + header.recordLength);
-        whole.end += size;
-    }
-    return whole;
-}
-
 /// The layered chunks must fill the place up to the chunk table exactly.
-void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::size_t table,
-                 const ReadJob& job) {
-    const WholeChunks whole = wholeChunks(file, header, table);
+laz::WholeChunks checkLayers(std::span<const std::byte> file, const LasHeader& header, std::size_t table,
+                             const ReadJob& job) {
+    laz::WholeChunks whole = laz::wholeChunks(file, header, table);
     if (whole.end != table)
         job.refuseByte(
             whole.end,
@@ -126,6 +90,15 @@ void checkLayers(std::span<const std::byte> file, const LasHeader& header, std::
     if (whole.points != header.points)
         job.refuseByte(header.pointOffset, "the chunks hold " + std::to_string(whole.points) + " points",
                        std::to_string(header.points) + " as the header says");
+    return whole;
+}
+
+/// Whether LayeredChunk reads points of this format and version.
+bool isOurs(const LasHeader& header, const LasRecord& record) {
+    const auto version = load<std::uint16_t>(record.content.data() + kFixedPart + 4);
+    if (header.pointFormat < 6 || header.pointFormat > 8 || (version != 3 && version != 4)) return false;
+    return header.pointFormat == 6 ||
+           load<std::uint16_t>(record.content.data() + kFixedPart + kItemSize + 4) == version;
 }
 
 /// Arithmetic coding packs equal points into next to nothing, so a short file could ask for any amount of
@@ -184,22 +157,33 @@ LazPlan planLaz(std::span<const std::byte> file, const LasHeader& header, const 
         job.refuseByte(place + 12, "LASzip's record names chunks of no points", "a chunk size such as 50000");
     const bool layered = compressor == 3;
     checkItems(file, header, *record, layered, job);
-    LazPlan plan{header.points};
+    LazPlan plan;
+    plan.points = header.points;
     // A code that is not below its range leads LASzip's decoder out of its tables. It begins at four places:
     // behind the point that each chunk begins with, at the chunk table's entries (PatchedBuffer looks at
     // both) and, in layers, at each layer (wholeChunks).
+    if (layered) plan.asVersion3 = load<std::uint16_t>(record->content.data() + kFixedPart + 4) == 3;
     if (compressor == 1) return plan;
     plan.variableChunks = chunkSize == kVariableChunks;
     plan.chunkSize = plan.variableChunks ? kTypicalChunk : chunkSize;
     plan.sureTogether = plan.variableChunks ? 0 : chunkSize;
     try {
         const std::size_t table = checkChunkTable(file, header, job);
-        if (layered) checkLayers(file, header, table, job);
+        if (layered) {
+            laz::WholeChunks whole = checkLayers(file, header, table, job);
+            if (isOurs(header, *record) && laz::countsFit(whole, plan.sureTogether) &&
+                laz::tableAgrees(file.subspan(table), whole, plan.variableChunks))
+                plan.chunks = std::move(whole.chunks);
+        }
     } catch (const ErrorException&) {
         if (!salvage || plan.variableChunks || file.size() - header.pointOffset < 8) throw;
         plan.withoutTable = true;
         plan.chunkSize = 0;
-        if (layered) plan.points = std::min(header.points, wholeChunks(file, header, file.size()).points);
+        if (!layered) return plan;
+        laz::WholeChunks whole = laz::wholeChunks(file, header, file.size());
+        plan.points = std::min(header.points, whole.points);
+        if (isOurs(header, *record) && laz::countsFit(whole, plan.sureTogether))
+            plan.chunks = std::move(whole.chunks);
     }
     return plan;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/io/formats/LasHeader.h"
+#include "core/io/formats/laz/ChunkIndex.h"
 
 namespace vestige {
 
@@ -16,6 +17,9 @@ struct LazPlan {
     /// fails. 0: the file is one chunk, or its chunks vary.
     std::uint64_t sureTogether = 0;
     bool withoutTable = false;  ///< salvaged: chunks are found one behind the other
+    /// All chunks, where they can be read with LayeredChunk. Empty: only LASzip can read the file.
+    std::vector<laz::ChunkPlace> chunks;
+    bool asVersion3 = false;  ///< of LASzip's item coders
 };
 
 /// Refuses a compressed file whose LASzip record or chunk table does not fit its header or size, and one that

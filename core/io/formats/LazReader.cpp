@@ -5,6 +5,7 @@
 #include <istream>
 #include <memory>
 
+#include "core/io/formats/LayeredReader.h"
 #include "core/io/formats/PatchedBuffer.h"
 
 namespace vestige {
@@ -87,6 +88,10 @@ void decode(const laszip_point& packed, LasPoint& point) {
 void readLazPoints(std::span<const std::byte> file, const LasHeader& header, const LazPlan& plan, bool drawn,
                    std::uint64_t begin, std::uint64_t end, const ReadJob& job,
                    const LasBlockHandler& handle) {
+    if (!plan.chunks.empty()) {
+        readLayeredPoints(file, header, plan, drawn, begin, end, job, handle);
+        return;
+    }
     LazReader reader(file, header, plan, drawn, job);
     if (begin > 0) reader.seek(begin);
     std::array<LasPoint, kBlock> block;

@@ -69,7 +69,18 @@ void LazWriter::add(std::span<const std::byte> record) {
     point.extended_point_type = 1;
     point.extended_return_number = returns & 15;
     point.extended_number_of_returns = returns >> 4;
+    const auto flags = load<std::uint8_t>(at + 15);
+    point.extended_classification_flags = flags & 15;
+    // LASzip wants the older formats' copies of them to agree.
+    point.synthetic_flag = flags & 1;
+    point.keypoint_flag = flags >> 1 & 1;
+    point.withheld_flag = flags >> 2 & 1;
+    point.extended_scanner_channel = flags >> 4 & 3;
+    point.scan_direction_flag = flags >> 6 & 1;
+    point.edge_of_flight_line = flags >> 7;
     point.extended_classification = load<std::uint8_t>(at + 16);
+    point.user_data = load<std::uint8_t>(at + 17);
+    point.extended_scan_angle = load<std::int16_t>(at + 18);
     point.point_source_ID = load<std::uint16_t>(at + 20);
     point.gps_time = load<double>(at + 22);
     if (state_->colored)
