@@ -2,6 +2,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/Outputs.h"
 #include "app/cli/Session.h"
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/AtomicFile.h"
@@ -64,6 +65,8 @@ int run(Session& session, const Options& options) {
     if (samePlace(options.csv, options.pdf))
         return session.failed({ErrorCode::usage, "--out and --pdf name the same file", options.csv,
                                "a file for each is expected"});
+    if (const Status apart = noInputIsWritten({options.csv, options.pdf}, {options.table}); !apart)
+        return session.failed(apart.error());
     const auto methods = readAccuracyTable(options.table);
     if (!methods) return session.failed(methods.error());
     if (const Status written = writeOutputs(*methods, options, session.control()); !written)

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/FilePart.h"
+#include "app/cli/Outputs.h"
 #include "app/cli/Session.h"
 #include "app/cli/WrittenUnit.h"
 #include "core/io/FormatRegistry.h"
@@ -22,6 +23,8 @@ int runConvert(Session& session, const Options& options) {
     // A target that cannot be written is a wrong command line, found before the long reading.
     const Result<const FileFormat*> target = formatForWriting(options.out);
     if (!target) return session.failed(target.error());
+    if (const Status apart = noInputIsWritten({options.out}, {options.in}); !apart)
+        return session.failed(apart.error());
     const LoadedFor use = (*target)->writesMetres() ? LoadedFor::metres : LoadedFor::command;
     Result<LoadedGeometry> loaded =
         readPart(options.in, options.part, ReadOptions::Attributes::all, use, session.control().sub(0, 0.6));
@@ -36,6 +39,9 @@ int runConvert(Session& session, const Options& options) {
         writeGeometry(options.out, loaded->geometry, {&info}, session.control().sub(0.6, 1));
     if (!written) return session.failed(written.error());
     session.control().progress(1, "writing");
+    tellWhatIsLost(options.out, info,
+                   {options.scale.has_value(), options.offset.size() == 3, loaded->geometry.triangles.size()},
+                   session);
     session.print(
         options.out + ": " + std::to_string(loaded->info.points) + " points" +
         (loaded->info.triangles > 0 ? ", " + std::to_string(loaded->info.triangles) + " triangles" : ""));

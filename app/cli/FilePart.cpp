@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/Outputs.h"
 #include "app/cli/Session.h"
 #include "core/base/Numbers.h"
 #include "core/io/FormatRegistry.h"
@@ -71,7 +72,15 @@ Result<LoadedGeometry> readPart(const std::filesystem::path& file, const FilePar
     if (!check) return fail(check.error());
     if (!check->estimate.fits())
         return fail(tooLarge(file, check->estimate, commandLineOffer(check->estimate)));
-    return readGeometry(file, options, control);
+    Result<LoadedGeometry> loaded = readGeometry(file, options, control);
+    if (loaded && part.box && loaded->geometry.vertices.empty())
+        loaded->info.warnings.push_back("the box holds no point of it" +
+                                        (check->peeked.bounds.empty()
+                                             ? std::string()
+                                             : "; it reaches from " + coordinates(check->peeked.bounds.min) +
+                                                   " to " + coordinates(check->peeked.bounds.max) +
+                                                   ", in its own unit"));
+    return loaded;
 }
 
 }  // namespace vestige::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/FilePart.h"
+#include "app/cli/Outputs.h"
 #include "app/cli/ParameterJson.h"
 #include "app/cli/Session.h"
 #include "app/cli/WrittenUnit.h"
@@ -29,6 +30,8 @@ int runPreprocess(Session& session, const Options& options) {
     // A target that cannot be written is a wrong command line, found before the long reading.
     const Result<const FileFormat*> target = formatForWriting(options.out);
     if (!target) return session.failed(target.error());
+    if (const Status apart = noInputIsWritten({options.out}, {options.in}); !apart)
+        return session.failed(apart.error());
     const JobControl& control = session.control();
     Result<LoadedGeometry> loaded = readPart(options.in, options.part, ReadOptions::Attributes::all,
                                              LoadedFor::command, control.sub(0, 0.3));
@@ -53,6 +56,7 @@ int runPreprocess(Session& session, const Options& options) {
     const Status written = writeGeometry(options.out, made.geometry, {&made.info}, control.sub(0.8, 1));
     if (!written) return session.failed(written.error());
     control.progress(1, "writing");
+    tellWhatIsLost(options.out, made.info, {}, session);
 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     session.print(options.out + ": " + std::to_string(outputPoints) + " of " + std::to_string(cloud.size()) +

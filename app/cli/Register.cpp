@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/FilePart.h"
+#include "app/cli/Outputs.h"
 #include "app/cli/Session.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
@@ -138,6 +139,10 @@ int runRegister(Session& session, const Options& options) {
     if (samePlace(options.poseOut, options.aligned))
         return session.failed({ErrorCode::usage, "--pose-out and --aligned name the same file",
                                options.poseOut, "a file for each is expected"});
+    if (const Status apart = noInputIsWritten({options.poseOut, options.aligned},
+                                              {options.target, options.source, options.init});
+        !apart)
+        return session.failed(apart.error());
     if (!options.aligned.empty())
         if (const auto format = formatForWriting(options.aligned); !format)
             return session.failed(format.error());

@@ -102,7 +102,17 @@ Run declareScreenshot(CLI::App& command) {
             "One case (case.json, NAME.vestige), or any readable clouds and meshes; of these the first "
             "is the target of the overlays.")
         ->required();
-    command.add_option("--out", options->out, "The picture, a PNG file.")->required()->type_name("PNG");
+    command.add_option("--out", options->out, "The picture, a PNG file.")
+        ->required()
+        ->type_name("PNG")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return std::filesystem::path(text).extension() == ".png" ||
+                               std::filesystem::path(text).extension() == ".PNG"
+                           ? std::string()
+                           : std::string("the name of a PNG file is expected, e.g. scene.png");
+            },
+            "", "picture"));
     command.add_option("--view", options->view, "From where. Default: perspective.")
         ->check(CLI::IsMember({"perspective", "top", "front", "left", "iso"}));
     command.add_option("--size", options->size, "Pixels. Default: 1400x900.")

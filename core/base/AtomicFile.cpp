@@ -124,6 +124,7 @@ Status AtomicFile::commit(const std::vector<AtomicFile*>& files) {
 bool samePlace(const std::filesystem::path& a, const std::filesystem::path& b) {
     if (a.empty() || b.empty()) return false;
     std::error_code unknown;
+    if (std::filesystem::equivalent(a, b, unknown)) return true;
     const auto whole = [&](const std::filesystem::path& path) {
         const auto absolute = std::filesystem::absolute(path, unknown);
         auto found = std::filesystem::weakly_canonical(absolute, unknown);

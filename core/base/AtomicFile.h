@@ -50,8 +50,7 @@ class AtomicFile {
     bool committed_ = false;
 };
 
-/// Whether both name the same place, as far as that can be told before there is a file. An empty name is
-/// none.
+/// Whether both name the same place, or are names of the same file. An empty name is none.
 bool samePlace(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Writes `text` as the whole content of `place`, atomically.

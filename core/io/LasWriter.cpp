@@ -33,9 +33,15 @@ class LasFileWriter {
         file.write(std::vector<std::byte>(kLasHeaderSize));
         writeRecords(file, laz.get());
         plan_.pointOffset = static_cast<std::size_t>(file.stream().tellp());
-        if (laz) laz->open(file.stream());
-        for (const LasPart& part : parts_) writePart(file, part, laz.get());
-        if (laz) laz->close();
+        try {
+            if (laz) laz->open(file.stream());
+            for (const LasPart& part : parts_) writePart(file, part, laz.get());
+            if (laz) laz->close();
+        } catch (const ErrorException&) {
+            // LASzip does not know why a stream takes no more; the file's own sentence does.
+            if (file.stream().good()) throw;
+            return;
+        }
         writeExtendedRecords(file);
         file.stream().seekp(0);
         file.write(encodeHeader(options_, plan_, grid_, totals_));

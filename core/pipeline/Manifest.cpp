@@ -54,9 +54,11 @@ std::string manifestText(const ReconstructRun& run, const std::vector<OutputFile
     manifest["vestige"] = 1;
     manifest["case"] = {{"name", run.scene.name}, {"operator", run.scene.operatorName}};
     manifest["started"] = run.date;
-    for (const auto& input : run.inputs)
-        manifest["inputs"].push_back(
-            {{"what", input.what}, {"path", input.path.string()}, {"sha256", input.sha256}});
+    for (const auto& input : run.inputs) {
+        json entry{{"what", input.what}, {"path", input.path.string()}, {"sha256", input.sha256}};
+        if (!input.expectedSha256.empty()) entry["expected_sha256"] = input.expectedSha256;
+        manifest["inputs"].push_back(std::move(entry));
+    }
     for (const auto& output : outputs)
         manifest["outputs"].push_back({{"path", output.path}, {"sha256", output.sha256}});
     manifest["not_made"] = run.notMade;

@@ -1,5 +1,6 @@
 #include "core/pipeline/Reconstruct.h"
 
+#include "core/base/AtomicFile.h"
 #include "core/base/UtcTime.h"
 #include "core/pipeline/Manifest.h"
 #include "core/pipeline/ReconstructRun.h"
@@ -29,6 +30,20 @@ Status checkLayers(const SceneState& scene) {
     if (!scene.layer(scene.target))
         return fail(ErrorCode::input, "the target \"" + scene.target + "\" is not a layer of the case", place,
                     "\"registration\": {\"target\": ...} names the layer that the others are registered to");
+    return {};
+}
+
+/// No result may take the place of what it was computed from, and none of an earlier run that is an input now
+/// may go.
+Status checkApart(const std::vector<InputFile>& inputs, const std::filesystem::path& folder,
+                  const std::vector<OutputFile>& outputs, const std::vector<std::string>& obsolete) {
+    std::vector<std::string> touched = obsolete;
+    for (const OutputFile& output : outputs) touched.push_back(output.path);
+    for (const std::string& name : touched)
+        for (const InputFile& input : inputs)
+            if (samePlace(folder / name, input.path))
+                return fail(ErrorCode::usage, "a result would replace " + input.what + ", an input",
+                            (folder / name).string(), "inputs are only ever read; expected: another folder");
     return {};
 }
 
@@ -64,8 +79,10 @@ Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path
         return fail(done.error());
     }
     result.outputs = std::move(run.outputs);
-    if (const Status placed = run.output.commit(obsoleteOutputs(outputFolder, result.outputs)); !placed)
-        return fail(placed.error());
+    const std::vector<std::string> obsolete = obsoleteOutputs(outputFolder, result.outputs);
+    if (const Status apart = checkApart(run.inputs, outputFolder, result.outputs, obsolete); !apart)
+        return fail(apart.error());
+    if (const Status placed = run.output.commit(obsolete); !placed) return fail(placed.error());
     result.scene = std::move(run.scene);
     result.measured = std::move(run.measured);
     result.notMade = std::move(run.notMade);

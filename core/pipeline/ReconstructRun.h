@@ -21,6 +21,7 @@ struct InputFile {
     std::string what;  ///< "case", "layer front", "picks of front"
     std::filesystem::path path;
     std::string sha256;
+    std::string expectedSha256;  ///< what it was as it became part of the case, where it differs
 };
 
 /// What the stages of `reconstruct` hand on to each other.

@@ -1,6 +1,7 @@
 #include "core/base/Numbers.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
+#include "core/scene/FileEvidence.h"
 
 namespace vestige {
 namespace {
@@ -46,8 +47,8 @@ Section inputSection(const ReportInput& input) {
         table.rows.push_back({std::to_string(i + 1), layer.name, std::string(name(layer.role)),
                               layer.path.filename().string(),
                               info.format + (info.version.empty() ? "" : " " + info.version),
-                              std::string(symbol(layer.lengthUnit())),
-                              grouped(layer.data->points->size()), extentText(layer)});
+                              std::string(symbol(layer.lengthUnit())), grouped(layer.data->points->size()),
+                              extentText(layer)});
         hashes.rows.emplace_back(layer.path.filename().string(), layer.data->sha256);
     }
     if (table.rows.empty()) return section;
@@ -61,6 +62,9 @@ Section inputSection(const ReportInput& input) {
             section.blocks.push_back(Paragraph{"Only part of " + layer.path.filename().string() +
                                                " could be read: " + layer.data->info.damage +
                                                ". What is missing is not known."});
+    for (const Layer& layer : input.scene.layers)
+        if (const auto difference = evidenceDifference(layer))
+            section.blocks.push_back(Paragraph{"A file changed: " + *difference + "."});
     if (const std::string parts = loadedParts(input.scene); !parts.empty())
         section.blocks.push_back(Paragraph{"Of some files only a part was loaded: " + parts + "."});
     section.blocks.push_back(

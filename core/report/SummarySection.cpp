@@ -1,6 +1,7 @@
 #include "core/base/Numbers.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
+#include "core/scene/FileEvidence.h"
 
 namespace vestige {
 namespace {
@@ -17,9 +18,9 @@ std::string registrationSentence(const Layer& layer) {
 }
 
 std::string accuracySentence(const MethodAccuracy& method) {
-    std::string text = "Measured by " + method.name + ", " + howMany(method.n, "object") +
-                       " with a tape value show a root mean square relative error of " +
-                       percent(method.rmse.value_or(0), 2);
+    std::string text =
+        "Measured by " + method.name + ", " + howMany(method.n - method.excluded.size(), "object") +
+        " with a tape value show a root mean square relative error of " + percent(method.rmse.value_or(0), 2);
     if (!method.excluded.empty())
         text += " (" + percent(method.rmseAll.value_or(0), 2) + " with the excluded " +
                 listed(method.excluded) + ")";
@@ -45,6 +46,18 @@ Section summarySection(const ReportInput& input) {
     section.blocks.push_back(Paragraph{text});
     for (const auto& method : input.measured.accuracy)
         if (method.n > 0) section.blocks.push_back(Paragraph{accuracySentence(method)});
+    std::vector<std::string> changed;
+    std::vector<std::string> partial;
+    for (const auto& layer : input.scene.layers) {
+        if (evidenceDifference(layer)) changed.push_back(layer.path.filename().string());
+        if (layer.data && !layer.data->info.damage.empty()) partial.push_back(layer.path.filename().string());
+    }
+    if (!changed.empty())
+        section.blocks.push_back(Paragraph{"Changed since it became part of the case: " + listed(changed) +
+                                           ". See \u201cEvidence used\u201d."});
+    if (!partial.empty())
+        section.blocks.push_back(Paragraph{"Damaged, and read only in part: " + listed(partial) +
+                                           ". See \u201cEvidence used\u201d."});
     if (!missing.empty()) section.blocks.push_back(Paragraph{"Not measurable: " + listed(missing) + "."});
     if (!input.warnings.empty())
         section.blocks.push_back(

@@ -127,6 +127,41 @@ class IoCli(unittest.TestCase):
             self.assertEqual(len(out.read_text().splitlines()), points + 1)
             out.unlink()
 
+    def test_an_input_is_never_replaced(self):
+        before = self.cloud.read_bytes()
+        link, hard = self.path / "link.csv", self.path / "hard.csv"
+        link.symlink_to(self.cloud)
+        os.link(self.cloud, hard)
+        for name in (self.cloud, link, hard, self.path / "." / "cloud.csv"):
+            for command in (["convert", self.cloud, name], ["preprocess", self.cloud, name],
+                            ["register", self.cloud, self.cloud, "--pose-out", name],
+                            ["register", self.cloud, self.cloud, "--pose-out", self.path / "p.json", "--aligned", name],
+                            ["accuracy", self.cloud, "--out", name]):
+                done = run(*command)
+                self.assertEqual(done.returncode, 2, command)
+                self.assertIn("the output would replace an input", done.stderr)
+        self.assertEqual(self.cloud.read_bytes(), before)
+        done = run("screenshot", self.cloud, "--out", self.path / "picture.jpg")
+        self.assertEqual(done.returncode, 2)
+
+    def test_what_the_output_does_not_hold_is_told(self):
+        fine, mesh = self.path / "fine.las", self.path / "mesh.ply"
+        self.cloud.write_text("x,y,z\n0,0,0\n100,100,1\n")
+        self.assertEqual(run("convert", self.cloud, self.path / "a.las").returncode, 0)
+        done = run("convert", self.path / "a.las", fine, "--scale", "1e-9", "--offset", "1e9,0,0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("those of --scale do not fit", done.stderr)
+        self.assertIn("--offset does not fit", done.stderr)
+        self.assertNotIn("warning", run("convert", self.path / "a.las", fine, "--scale", "0.001").stderr)
+        done = run("convert", self.path / "a.las", self.path / "a.ply", "--scale", "0.001")
+        self.assertIn("--scale means nothing in its format", done.stderr)
+        mesh.write_text("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertIn("1 triangle is left out", run("convert", mesh, self.path / "m.las").stderr)
+        done = run("--json", "convert", "--box", "200,0,0,201,1,1", self.cloud, self.path / "none.csv")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("the box holds no point of it", json.loads(done.stdout)["warnings"][0])
+
     def test_hostile_files_end_with_a_sentence(self):
         head = b"ply\nformat ascii 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n"
         hostile = {

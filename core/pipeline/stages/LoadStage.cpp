@@ -11,13 +11,13 @@ Status hashSideFiles(ReconstructRun& run) {
     const auto add = [&run](const std::string& what, const std::filesystem::path& file) -> Status {
         const auto hash = sha256OfFile(file);
         if (!hash) return fail(hash.error());
-        run.inputs.push_back({what, file, *hash});
+        run.inputs.push_back({what, file, *hash, {}});
         return {};
     };
     if (const auto& file = run.scene.file; !file.empty()) {
         // A case that was not saved yet has none.
         if (const auto content = caseContent(file))
-            run.inputs.push_back({"case", content->first, content->second});
+            run.inputs.push_back({"case", content->first, content->second, {}});
     }
     for (const Layer& layer : run.scene.layers)
         if (const auto* picks = std::get_if<InitPicks>(&layer.init))
@@ -42,12 +42,14 @@ Status loadStage(ReconstructRun& run, const JobControl& control) {
             if (!data) return fail(data.error());
             layers[i].data = std::move(*data);
         }
-        run.inputs.push_back({"layer " + layers[i].id, file, layers[i].data->sha256});
+        const std::size_t place = run.inputs.size();
+        run.inputs.push_back({"layer " + layers[i].id, file, layers[i].data->sha256, {}});
         const LayerData& data = *layers[i].data;
         for (std::size_t k = 0; k < data.companionSha256.size(); ++k)
             run.inputs.push_back(
-                {"part of layer " + layers[i].id, data.info.companions[k], data.companionSha256[k]});
+                {"part of layer " + layers[i].id, data.info.companions[k], data.companionSha256[k], {}});
         if (const auto difference = evidenceDifference(layers[i])) {
+            run.inputs[place].expectedSha256 = layers[i].evidence->sha256;
             run.warnings.push_back(*difference);
             control.message("warning: " + run.warnings.back());
         }

@@ -114,6 +114,45 @@ TEST_F(Reconstructing, ReadsWhatIsWholeOfADamagedFileOnlyWhereTheCaseAgrees) {
     EXPECT_THAT(test::textOf(printer.printed), HasSubstr("Only part of aerial.ply could be read"));
 }
 
+TEST_F(Reconstructing, NoResultReplacesWhatItWasComputedFrom) {
+    TinyCase tiny(folder.path());
+    fs::create_directories(folder / "out");
+    fs::rename(folder / "front.ply", folder / "out/fused.las.ply");
+    for (Layer& layer : tiny.scene.layers)
+        if (layer.path.filename() == "front.ply") layer.path = folder / "out/fused.las.ply";
+    ASSERT_TRUE(run(tiny.scene, folder / "out")) << "beside it is enough";
+    fs::create_hard_link(folder / "out/fused.las.ply", folder / "evidence.ply");
+    fs::remove(folder / "out/fused.las");
+    fs::create_symlink("../evidence.ply", folder / "out/fused.las");
+    const std::string before = content(folder / "evidence.ply");
+    const auto refused = run(tiny.scene, folder / "out");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::usage);
+    EXPECT_THAT(refused.error().sentence(), HasSubstr("a result would replace layer front, an input"));
+    EXPECT_EQ(content(folder / "evidence.ply"), before);
+    EXPECT_TRUE(fs::is_symlink(folder / "out/fused.las"));
+}
+
+TEST_F(Reconstructing, MarksEvidenceThatChanged) {
+    TinyCase tiny(folder.path());
+    const std::string expected(64, 'a');
+    tiny.scene.layers[0].evidence = FileEvidence{expected, 1, {}};
+    const auto result = run(tiny.scene, folder / "out");
+    ASSERT_TRUE(result) << result.error().sentence();
+    const auto manifest = json::parse(content(folder / "out/manifest.json"));
+    int marked = 0;
+    for (const auto& input : manifest["inputs"]) {
+        marked += input.contains("expected_sha256");
+        if (input["path"] == tiny.scene.layers[0].path.string()) {
+            EXPECT_EQ(input["expected_sha256"], expected);
+        }
+    }
+    EXPECT_EQ(marked, 1);
+    const std::string report = test::textOf(printer.printed);
+    EXPECT_THAT(report, HasSubstr("Changed since it became part of the case: aerial.ply"));
+    EXPECT_THAT(report, HasSubstr("A file changed: layer 'aerial'"));
+}
+
 TEST_F(Reconstructing, FusesTheOriginalPointsLayerByLayer) {
     const TinyCase tiny(folder.path());
     const auto result = run(tiny.scene, folder / "out");
