@@ -114,6 +114,7 @@ std::vector<std::pair<QString, QString>> peekRows(const FileInfo& info, const Lo
     row(tr("Images"), info.images.empty() ? QString() : QString::number(info.images.size()));
     row(tr("Attributes"), toQt(listed(info.attributes)));
     row(tr("Memory"), memoryText(estimate));
+    row(tr("Damage"), toQt(info.damage));
     for (std::size_t i = 0; i < std::min(info.warnings.size(), kMostWarnings); ++i)
         row(tr("Warning"), toQt(info.warnings[i]));
     return rows;

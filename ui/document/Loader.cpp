@@ -329,20 +329,44 @@ void Loader::tellStopped(const Error& error) {
                                   : tr("Cancelled; %1 layers were not read.").arg(unread));
 }
 
-void Loader::tell(const Loaded& loaded, bool offering) {
+void Loader::tell(const Loaded& loaded, bool added) {
     problems_.clear();
+    QStringList sentences;
+    std::vector<Notices::Offer> offers;
     for (const auto& [file, problem] : loaded.unread) {
         problems_.push_back(problem);
-        if (offering && problem.salvageable)
-            notices_.offer(problem, tr("Load what is whole"), [this, file = file, asked = replacements_] {
-                if (asked == replacements_) static_cast<void>(addFiles({file}, true));
-            });
-        else
-            notices_.failed(problem);
+        sentences << QString::fromStdString(problem.sentence()) + ".";
+        if (!problem.salvageable) continue;
+        const QString text = loaded.unread.size() == 1
+                                 ? tr("Load what is whole")
+                                 : tr("Load what is whole of %1").arg(toQt(file.filename()));
+        offers.push_back({text, [this, file = file, added, asked = replacements_] {
+                              if (asked != replacements_) return;
+                              if (added)
+                                  static_cast<void>(addFiles({file}, true));
+                              else
+                                  salvage(file);
+                          }});
     }
+    // One notice for all: another would take the place of the first.
+    if (!offers.empty())
+        notices_.offer(sentences.join("\n"), offers);
+    else if (!sentences.isEmpty())
+        notices_.warn(sentences.join("\n"));
     for (const TooLarge& large : loaded.tooLarge) {
         problems_.push_back(tooLarge(large.layer.path, large.check.estimate, {}));
         offer(large);
+    }
+}
+
+void Loader::salvage(const std::filesystem::path& file) {
+    const std::vector<Layer> layers = document_.state().layers;
+    for (const Layer& layer : layers) {
+        if (layer.path != file || layer.data || layer.salvage) continue;
+        Layer changed = layer;
+        changed.salvage = true;
+        document_.perform(changeLayer(changed, "load what is whole of " + changed.name));
+        readAgain(changed);
     }
 }
 

@@ -66,7 +66,9 @@ class Loader : public QObject {
     void tell(const Error& error);
     void tellStopped(const Error& error);
     /// Of files; `offering`: what is whole of a damaged one is to be added.
-    void tell(const Loaded& loaded, bool offering);
+    void tell(const Loaded& loaded, bool added);
+    /// Layers of the case that were not read because their file is damaged: with what is whole, from now on.
+    void salvage(const std::filesystem::path& file);
     void offer(const TooLarge& tooLarge);
 
     Document& document_;

@@ -30,10 +30,6 @@ class Notices : public QObject {
     void offer(const QString& sentence, const std::vector<Offer>& offers) { emit offered(sentence, offers); }
     /// What they were made of is not open any more.
     void withdrawOffers() { emit withdrawn(); }
-    /// A failure with a way on: a button `label` beside the sentence does `action` on the GUI thread.
-    void offer(const Error& error, const QString& label, const std::function<void()>& action) {
-        offer(QString::fromStdString(error.sentence()) + ".", {{label, action}});
-    }
     /// A cancelled job is no failure and is not shown as one.
     void failed(const Error& error) {
         if (error.code == ErrorCode::cancelled)

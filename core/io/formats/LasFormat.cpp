@@ -137,6 +137,9 @@ Result<FileInfo> LasFormat::peek(const std::filesystem::path& file, const JobCon
         info.attributes = lasAttributes(layout, layout.gpsTime != 0);
         describeHeader(header, job, info);
         info.points = header.points;
+        if (header.points < header.promisedPoints)
+            info.damage = "the file is cut off: there is room for " + std::to_string(header.points) +
+                          " of the " + counted(header.promisedPoints, "point") + " that its header names";
         if (header.bounds.min.allFinite() && header.bounds.max.allFinite()) info.bounds = header.bounds;
         return info;
     });

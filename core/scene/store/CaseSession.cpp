@@ -61,8 +61,12 @@ void CaseSession::find(const fs::path& file) {
     if (const auto left = autosaves_.abandonedOf(place_)) {
         // One that cannot be read stays for whoever can make something of it.
         if (auto found = recover(left->content, left->folder)) {
-            origins_.push_back(left->folder);
-            if (!recovered_ || left->content.lastMoment > own.lastMoment) recovered_ = std::move(found);
+            // An older one, of a window that had the case read-only beside the one whose journal this is,
+            // stays and is offered once these edits are saved or discarded.
+            if (!recovered_ || left->content.lastMoment > own.lastMoment) {
+                origins_.push_back(left->folder);
+                recovered_ = std::move(found);
+            }
         }
     }
     if (recovered_) recovered_->state.file = file;

@@ -313,6 +313,8 @@ TEST(LasParts, ACutOffFileCanBeLookedAtBeforeItIsSalvaged) {
     const auto peeked = peekFile(folder / "cut.las");
     ASSERT_TRUE(peeked) << peeked.error().sentence();
     EXPECT_LT(peeked->points, 1600);
+    EXPECT_NE(peeked->damage.find("of the 3000 points that its header names"), std::string::npos)
+        << peeked->damage;
     const auto refused = readGeometry(folder / "cut.las");
     ASSERT_FALSE(refused);
     EXPECT_TRUE(refused.error().salvageable);

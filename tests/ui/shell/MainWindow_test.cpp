@@ -23,6 +23,7 @@
 #include "ui/jobs/InlineJobRunner.h"
 #include "ui/jobs/ThreadedJobRunner.h"
 #include "ui/print/PdfPrinter.h"
+#include "ui/shell/NoticeBar.h"
 #include "ui/view/SceneView.h"
 
 namespace vestige {
@@ -115,6 +116,43 @@ TEST_F(Workstation, OfACutFileItIsOfferedToLoadWhatIsWhole) {
     EXPECT_TRUE(layer.salvage) << "the case that is saved opens the same";
     EXPECT_EQ(layer.data->points->size(), 2u);
     EXPECT_NE(layer.data->info.damage.find("the first 2 of 3 points"), std::string::npos);
+}
+
+TEST_F(Workstation, OfADamagedLayerOfACaseItIsOfferedToLoadWhatIsWhole) {
+    const std::filesystem::path scan = folder / "scan.pts";
+    std::ofstream(scan) << "3\n1 2 3\n4 5 6\n7 8 9\n";
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    EXPECT_TRUE(driver->window().openFiles({scan}));
+    driver->answers().casePath = QString::fromStdString((folder / "case.vestige").string());
+    ASSERT_TRUE(driver->trigger("file.save"));
+    driver.reset();
+    std::ofstream(scan) << "3\n1 2 3\n4 5 6\n";
+    driver = start(std::make_unique<InlineJobRunner>());
+    static_cast<void>(driver->window().openCase(folder / "case.vestige"));
+    ASSERT_EQ(driver->scene().layers.size(), 1u);
+    EXPECT_FALSE(driver->scene().layers[0].data);
+    auto* button = driver->window().findChild<QToolButton*>("notice-button");
+    ASSERT_TRUE(button && button->isVisible());
+    EXPECT_EQ(button->text(), "Load what is whole");
+    QTest::mouseClick(button, Qt::LeftButton);
+    const Layer& layer = driver->scene().layers[0];
+    EXPECT_TRUE(layer.salvage);
+    ASSERT_TRUE(layer.data);
+    EXPECT_EQ(layer.data->points->size(), 2u);
+    EXPECT_EQ(driver->textOf("edit.undo"), "Undo load what is whole of scan");
+}
+
+TEST_F(Workstation, SeveralBadFilesAreAllNamed) {
+    std::ofstream(folder / "cut.pts") << "3\n1 2 3\n4 5 6\n";
+    std::ofstream(folder / "bad.xyz") << "1 2 3\n4 x\n";
+    auto driver = start(std::make_unique<InlineJobRunner>());
+    EXPECT_FALSE(driver->window().openFiles({folder / "cut.pts", folder / "bad.xyz", scans.target}));
+    EXPECT_EQ(driver->scene().layers.size(), 1u);
+    const QString notice = driver->window().findChild<NoticeBar*>("notice")->text();
+    EXPECT_TRUE(notice.contains("cut.pts") && notice.contains("bad.xyz")) << notice.toStdString();
+    auto* button = driver->window().findChild<QToolButton*>("notice-button");
+    ASSERT_TRUE(button && button->isVisible());
+    EXPECT_EQ(button->text(), "Load what is whole of cut.pts");
 }
 
 TEST_F(Workstation, ACheckBoxHidesALayerAndUndoShowsIt) {

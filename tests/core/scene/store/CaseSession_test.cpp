@@ -99,6 +99,27 @@ TEST_F(Session, TheSecondMayLookAndSaveElsewhere) {
     }
 }
 
+TEST_F(Session, OlderEditsOfASecondWindowStayUntilThoseOfTheFirstAreSettled) {
+    const fs::path file = folder / "night.vestige";
+    ASSERT_TRUE(writeCase(file, sample("saved")));
+    auto first = open(file);
+    auto second = open(file);
+    ASSERT_TRUE(second->append({{"two", sample("2")}}).kept);
+    ASSERT_TRUE(first->append({{"one", sample("1")}}).kept);
+    second.reset();
+    first.reset();
+    {
+        const auto next = open(file);
+        const auto found = next->takeRecovered();
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->state.operatorName, "1");
+        ASSERT_TRUE(next->append({{"recover", found->state}}).kept);
+        ASSERT_EQ(autosaves.abandoned().size(), 1u) << "nobody has seen them";
+        ASSERT_TRUE(next->save(found->state));
+    }
+    EXPECT_EQ(recovered(file), "2");
+}
+
 TEST_F(Session, AnUntitledCaseIsKeptAndTakenOver) {
     CaseSession(autosaves).append({{"one", sample("1")}});
     const auto left = autosaves.abandoned();
