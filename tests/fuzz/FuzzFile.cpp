@@ -1,6 +1,7 @@
 #include "tests/fuzz/FuzzFile.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -53,6 +54,11 @@ FuzzFile::~FuzzFile() {
 
 void FuzzFile::put(std::span<const std::uint8_t> bytes) const {
     const auto size = static_cast<ssize_t>(bytes.size());
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0 || status.st_nlink == 0) {
+        std::fprintf(stderr, "%s was removed: nothing is tested any more\n", path_.c_str());
+        std::exit(1);
+    }
     if (::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, bytes.data(), bytes.size(), 0) == size)
         return;
     std::perror(path_.c_str());

@@ -43,7 +43,9 @@ for target in "${targets[@]}"; do
     if [ -e "$dictionary" ]; then options+=(-dict="$dictionary"); fi
     log=build/fuzz/findings/$target.log
     status=0
-    nice "$bin/fuzz_$target" "${options[@]}" "$corpus" "$seeds" >"$log" 2>&1 || status=$?
+    nice "$bin/fuzz_$target" "${options[@]}" "$corpus" "$seeds" >"$log" 2>&1 &
+    process=$!
+    wait $process || status=$?
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     took=$(sed -n 's/^Done .* in \([0-9]*\) second.*/\1/p' "$log")
     peak=$(sed -n 's/^stat::peak_rss_mb: *//p' "$log")
@@ -53,6 +55,7 @@ for target in "${targets[@]}"; do
         grep -m 5 -E "finding:|ERROR|SUMMARY|runtime error|Test unit written" "$log" || tail -n 5 "$log"
     fi
     rm -rf "$seeds" "$fresh"
-    rm -rf /dev/shm/vestige-fuzz-"$target"-*
+    # What a finding left; that of another run beside this one stays.
+    rm -rf "/dev/shm/vestige-fuzz-$target-$process"
 done
 [ ${#failed[@]} -eq 0 ]
