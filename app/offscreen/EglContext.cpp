@@ -5,43 +5,16 @@
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 
+#include "app/offscreen/GlxNames.h"
 #include "app/offscreen/OsMesaContext.h"
 
-// The names that VTK's loader asks for, as there.
-#define VESTIGE_EXPORT extern "C" __attribute__((visibility("default")))
-using AnyFunction = void (*)();
-
-VESTIGE_EXPORT void* glXGetCurrentDisplay() {
-    static int display = 0;
-    return &display;
-}
-
-VESTIGE_EXPORT int glXQueryVersion(void*, int* major, int* minor) {
-    *major = 1;
-    *minor = 4;
-    return 1;
-}
-
-VESTIGE_EXPORT const char* glXGetClientString(void*, int) {
-    return "";
-}
-
-VESTIGE_EXPORT AnyFunction glXGetProcAddressARB(const unsigned char* name) {
-    const char* wanted = reinterpret_cast<const char*>(name);
-    if (!std::strcmp(wanted, "glXGetCurrentDisplay"))
-        return reinterpret_cast<AnyFunction>(glXGetCurrentDisplay);
-    if (!std::strcmp(wanted, "glXQueryVersion")) return reinterpret_cast<AnyFunction>(glXQueryVersion);
-    if (!std::strcmp(wanted, "glXGetClientString")) return reinterpret_cast<AnyFunction>(glXGetClientString);
-    return reinterpret_cast<AnyFunction>(eglGetProcAddress(wanted));
-}
-
-VESTIGE_EXPORT AnyFunction glXGetProcAddress(const unsigned char* name) {
-    return glXGetProcAddressARB(name);
-}
-
 namespace vestige {
+
+AnyFunction glFunction(const char* name) {
+    return eglGetProcAddress(name);
+}
+
 namespace {
 
 class EglContext : public GlContext {

@@ -3,42 +3,15 @@
 #include <GL/osmesa.h>
 
 #include <array>
-#include <cstring>
 
-// VTK here is built for GLX: its loader (GLEW) asks the process for these four names. Answered by this
-// program they lead to OSMesa; libGL's own would look for an X server.
-#define VESTIGE_EXPORT extern "C" __attribute__((visibility("default")))
-using AnyFunction = void (*)();
-
-VESTIGE_EXPORT void* glXGetCurrentDisplay() {
-    static int display = 0;
-    return &display;
-}
-
-VESTIGE_EXPORT int glXQueryVersion(void*, int* major, int* minor) {
-    *major = 1;
-    *minor = 4;
-    return 1;
-}
-
-VESTIGE_EXPORT const char* glXGetClientString(void*, int) {
-    return "";
-}
-
-VESTIGE_EXPORT AnyFunction glXGetProcAddressARB(const unsigned char* name) {
-    const char* wanted = reinterpret_cast<const char*>(name);
-    if (!std::strcmp(wanted, "glXGetCurrentDisplay"))
-        return reinterpret_cast<AnyFunction>(glXGetCurrentDisplay);
-    if (!std::strcmp(wanted, "glXQueryVersion")) return reinterpret_cast<AnyFunction>(glXQueryVersion);
-    if (!std::strcmp(wanted, "glXGetClientString")) return reinterpret_cast<AnyFunction>(glXGetClientString);
-    return reinterpret_cast<AnyFunction>(OSMesaGetProcAddress(wanted));
-}
-
-VESTIGE_EXPORT AnyFunction glXGetProcAddress(const unsigned char* name) {
-    return glXGetProcAddressARB(name);
-}
+#include "app/offscreen/GlxNames.h"
 
 namespace vestige {
+
+AnyFunction glFunction(const char* name) {
+    return reinterpret_cast<AnyFunction>(OSMesaGetProcAddress(name));
+}
+
 namespace {
 
 class OsMesaContext : public GlContext {

@@ -15,7 +15,7 @@ TEST(NoticeBar, OffersGoWhenTheyAreWithdrawnAndNothingElse) {
     notices.warn("The disk is full");
     notices.withdrawOffers();
     EXPECT_EQ(bar.text(), "The disk is full");
-    notices.informOf("Written", "/tmp/report");
+    notices.informOf("Written", "somewhere/report");
     notices.withdrawOffers();
     EXPECT_EQ(bar.text(), "Written");
 }
