@@ -140,11 +140,12 @@ Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
             if (!loaded && *shown < 0) return tell(loaded.error());
             if (*shown < 0) replace(loaded->layers);
             if (loaded) remark(loaded->remarks);
-            tellDifferences();
-            if (loaded)
+            if (loaded) {
                 tell(*loaded, false);
-            else
+            } else {
+                tellDifferences();
                 tellStopped(loaded.error());
+            }
             if (!file.empty()) emit opened(toQt(file));
         });
     return firstOf(problems_);
@@ -333,6 +334,10 @@ void Loader::tell(const Loaded& loaded, bool added) {
     problems_.clear();
     QStringList sentences;
     std::vector<Notices::Offer> offers;
+    if (!added)
+        for (const Layer& layer : document_.state().layers)
+            if (const auto difference = evidenceDifference(layer))
+                sentences << QString::fromStdString(*difference) + ".";
     for (const auto& [file, problem] : loaded.unread) {
         problems_.push_back(problem);
         sentences << QString::fromStdString(problem.sentence()) + ".";
@@ -342,7 +347,11 @@ void Loader::tell(const Loaded& loaded, bool added) {
                                  : tr("Load what is whole of %1").arg(toQt(file.filename()));
         offers.push_back({text, [this, file = file, added, asked = replacements_] {
                               if (asked != replacements_) return;
-                              if (added)
+                              const auto& layers = document_.state().layers;
+                              const bool there = std::any_of(
+                                  layers.begin(), layers.end(),
+                                  [&](const Layer& layer) { return layer.path == file && !layer.data; });
+                              if (added && !there)
                                   static_cast<void>(addFiles({file}, true));
                               else
                                   salvage(file);

@@ -140,6 +140,12 @@ TEST_F(Workstation, OfADamagedLayerOfACaseItIsOfferedToLoadWhatIsWhole) {
     ASSERT_TRUE(layer.data);
     EXPECT_EQ(layer.data->points->size(), 2u);
     EXPECT_EQ(driver->textOf("edit.undo"), "Undo load what is whole of scan");
+    const QString told = driver->window().findChild<NoticeBar*>("notice")->text();
+    EXPECT_TRUE(told.contains("is not the file that became part of the case")) << told.toStdString();
+    driver->answers().casePath = QString::fromStdString(scan.string());
+    const auto before = std::filesystem::file_size(scan);
+    driver->trigger("file.save-as");
+    EXPECT_EQ(std::filesystem::file_size(scan), before);
 }
 
 TEST_F(Workstation, SeveralBadFilesAreAllNamed) {
@@ -195,6 +201,10 @@ TEST_F(Workstation, ThreeClickedPairsAndATapeMakeAMeasurement) {
     EXPECT_NEAR(measured[0].length->mean_m, 2.0, 0.06);
     ASSERT_TRUE(measured[0].re);
     EXPECT_TRUE(driver->label("repeats").startsWith("Repeats"));
+    driver->answers().csv = QString::fromStdString(scans.target.string());
+    const auto before = std::filesystem::file_size(scans.target);
+    driver->trigger("export.csv");
+    EXPECT_EQ(std::filesystem::file_size(scans.target), before) << "evidence is only read";
 }
 
 TEST_F(Workstation, APairPickedOnAFirstLookBecomesAsCertainAsTheWholeCloudAllows) {

@@ -3,6 +3,7 @@
 #include "core/base/AtomicFile.h"
 #include "core/pipeline/Reconstruct.h"
 #include "core/report/MeasurementsCsv.h"
+#include "core/scene/SceneInputs.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/actions/FileChooser.h"
 #include "ui/document/Document.h"
@@ -41,6 +42,8 @@ void ExportReactions::exportReport(const std::filesystem::path& folder) {
 }
 
 void ExportReactions::exportCsv(const std::filesystem::path& file) {
+    if (const Status apart = isNoInput(bench_.document.state(), file); !apart)
+        return bench_.notices.failed(apart.error());
     const Status written = writeTextFile(file, measurementsCsv(bench_.document.measured()));
     if (!written) return bench_.notices.failed(written.error());
     bench_.notices.informOf(tr("The measurements are in %1.").arg(toQt(file.filename())), toQt(file));

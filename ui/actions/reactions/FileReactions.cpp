@@ -1,6 +1,7 @@
 #include "ui/actions/reactions/FileReactions.h"
 
 #include "core/scene/CaseFile.h"
+#include "core/scene/SceneInputs.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/actions/FileChooser.h"
 #include "ui/document/Autosave.h"
@@ -75,6 +76,10 @@ bool FileReactions::saveAs() {
 }
 
 bool FileReactions::saveTo(const std::filesystem::path& file) {
+    if (const Status apart = isNoInput(bench_.document.state(), file); !apart) {
+        told(apart);
+        return false;
+    }
     const Status saved = bench_.autosave ? bench_.autosave->save(file) : bench_.document.save(file);
     told(saved);
     if (saved) bench_.recent.add(toQt(file));
