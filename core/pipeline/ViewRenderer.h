@@ -12,6 +12,7 @@
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
 #include "core/geometry/Octree.h"
+#include "core/geometry/SectionBox.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/geometry/ViewCamera.h"
 
@@ -81,11 +82,22 @@ struct ViewArrow {
     std::string label;
 };
 
+/// A line through more points than two: a polyline, the outline of an area, an arc as chords.
+struct ViewPath {
+    std::vector<Eigen::Vector3d> points;  ///< world
+    std::string label;
+    bool closed = false;
+    bool highlighted = false;
+    std::string name = {};  ///< of what is measured
+};
+
 /// Everything a picture depends on: what is drawn is a function of this, in the window and without a display.
 struct ViewDescription {
     std::vector<ViewLayer> layers;
     std::vector<ViewMark> marks;
+    std::vector<ViewPath> paths;
     std::vector<ViewArrow> arrows;
+    std::optional<SectionBox> section;  ///< what lies outside is not drawn
     std::optional<ViewComparison> comparison;
     ColorMode colorMode = ColorMode::height;
     Overlay overlay = Overlay::none;
@@ -94,6 +106,9 @@ struct ViewDescription {
     bool eyeDomeLighting = true;
     bool showLegend = true;
     bool showScaleBar = true;
+    bool showGrid = false;        ///< on the ground, in metres
+    bool showNorthArrow = false;  ///< y is north
+    bool sizeByDistance = false;  ///< near points larger, in perspective
     std::string title;
     ViewCamera camera;
 };

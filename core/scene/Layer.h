@@ -20,6 +20,8 @@
 
 namespace vestige {
 
+class PointSet;
+
 enum class LayerRole { aerial, handheld, photogrammetry };
 std::string_view name(LayerRole role);
 std::optional<LayerRole> layerRoleFromName(std::string_view name);
@@ -38,6 +40,10 @@ struct LayerData {
     std::string sha256;                        ///< of the file, and of what belongs to it: InputHash
     std::vector<std::string> companionSha256;  ///< of info.companions, in their order
     FileStamp stamp;                           ///< of the file when it was read
+    /// Of a cleaned layer: what it was cleaned from, and which points of that are left (ascending). Null
+    /// where nothing was taken away.
+    std::shared_ptr<const LayerData> uncleaned;
+    std::shared_ptr<const std::vector<std::uint32_t>> kept;
     /// Of a first look at a large file: how many points are still being read. `points` are some of them,
     /// spread over the file and exact; there is no sha256 yet. 0: these are all.
     std::uint64_t awaitedPoints = 0;
@@ -75,6 +81,9 @@ struct Layer {
     bool salvage = false;  ///< of a damaged file what is whole is read; someone has agreed to that
     bool visible = true;
     std::array<std::uint8_t, 3> tint{160, 180, 200};  ///< colour by source
+    /// Points that cleaning took out of the scene, as indices into the points as loaded; null for none. The
+    /// file keeps them.
+    std::shared_ptr<const PointSet> removed;
 
     std::shared_ptr<const LayerData> data;           ///< null until loaded
     std::optional<RegistrationResult> registration;  ///< null until registered

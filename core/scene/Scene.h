@@ -15,6 +15,8 @@
 #include "core/geometry/ViewCamera.h"
 #include "core/scene/Layer.h"
 #include "core/scene/Measurement.h"
+#include "core/scene/SavedView.h"
+#include "core/scene/SceneObject.h"
 
 namespace vestige {
 
@@ -36,7 +38,9 @@ struct SceneState {
     ParameterSet preprocess;
     ParameterSet registration;
     std::vector<Measurement> measurements;
-    std::map<std::string, ViewCamera> views;  ///< named views of the case
+    std::vector<SceneObject> objects;         ///< what was separated in the clouds
+    std::vector<SavedView> savedViews;        ///< the analyst's, in their order
+    std::map<std::string, ViewCamera> views;  ///< cameras that recorded aims name
     std::map<std::string, std::string>
         viewFrames;  ///< view -> layer whose file frame and unit its camera is in; see PickFrame.h
     std::filesystem::path file;  ///< where it was opened from or saved to; empty when new
