@@ -14,6 +14,7 @@ namespace {
 
 /// As far from 0 as coordinates of clouds may be.
 constexpr double kFarthest = 1e10;
+constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 constexpr const char* kLayouts =
     "expected x,y,z or index,x,y,z or label,x,y,z, decimal numbers with '.', parted by comma, semicolon, tab "
     "or blanks";
@@ -67,7 +68,7 @@ Result<ListedPoint> pointOf(const DelimitedRow& row, bool blanks, const std::str
         const auto value = coordinate(cell);
         if (!value)
             return fail(ErrorCode::input,
-                        std::string(1, "xyz"[i]) + " is not a number: '" + cleanText(cell) + "'", line,
+                        kAxes[i] + std::string(" is not a number: '") + cleanText(cell) + "'", line,
                         "expected a decimal number with '.', up to 1e10");
         point.position[static_cast<Eigen::Index>(i)] = *value;
     }
