@@ -107,7 +107,7 @@ GuidePage::GuidePage(QWidget* parent)
     connect(back, &QToolButton::clicked, this, [this] { search(true); });
     connect(on, &QToolButton::clicked, this, [this] { search(false); });
     connect(search_, &QLineEdit::returnPressed, this, [this] { search(false); });
-    auto* before = new QShortcut(Qt::SHIFT + Qt::Key_Return, search_);
+    auto* before = new QShortcut(QKeySequence("Shift+Return"), search_);
     before->setContext(Qt::WidgetShortcut);
     connect(before, &QShortcut::activated, this, [this] { search(true); });
     load();

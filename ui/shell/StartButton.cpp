@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include "ui/panels/PanelColors.h"
+#include "ui/shell/StyleColors.h"
 
 namespace vestige {
 namespace {
@@ -50,10 +51,11 @@ void StartButton::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF whole = QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75);
     const bool over = isEnabled() && (underMouse() || isDown());
-    const QColor accent(isLight(palette()) ? 0x1f5fd0 : 0x2f6fe4);
+    const Theme theme = isLight(palette()) ? Theme::light : Theme::dark;
+    const QColor accent = styleColor("accent", theme);
     const QColor ground = palette().color(QPalette::Button);
-    painter.setBrush(primary_ ? (over ? accent.lighter(110) : accent)
-                              : (over ? ground.lighter(115) : ground));
+    painter.setBrush(primary_ ? (over ? styleColor("accent-hover", theme) : accent)
+                              : (over ? styleColor("hover", theme) : ground));
     painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Link), 1.5)
                               : QPen(primary_ ? accent : palette().color(QPalette::Mid), 1));
     painter.drawRoundedRect(whole, 6, 6);
@@ -64,7 +66,6 @@ void StartButton::paintEvent(QPaintEvent*) {
     const int left = kMargin + kIcon + 14;
     const int room = width() - left - kMargin;
     QFont title = font();
-    title.setPixelSize(14);
     title.setWeight(QFont::DemiBold);
     const QColor ink = primary_      ? QColor(Qt::white)
                        : isEnabled() ? palette().color(QPalette::WindowText)

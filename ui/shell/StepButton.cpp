@@ -5,6 +5,7 @@
 #include <QPainterPath>
 
 #include "ui/panels/PanelColors.h"
+#include "ui/shell/StyleColors.h"
 
 namespace vestige {
 namespace {
@@ -13,6 +14,9 @@ constexpr int kBadge = 18;
 constexpr int kMargin = 10;
 constexpr int kGap = 8;
 constexpr int kHeight = 30;
+QColor themed(const QPalette& palette, const char* name) {
+    return styleColor(QLatin1String(name), isLight(palette) ? Theme::light : Theme::dark);
+}
 /// Longer words are cut; the tool tip has all of them.
 constexpr int kMostWords = 260;
 
@@ -80,11 +84,8 @@ void StepButton::leaveEvent(QEvent* event) {
 
 void StepButton::paintBadge(QPainter& painter) const {
     const QRectF circle(kMargin, (height() - kBadge) / 2.0, kBadge, kBadge);
-    const bool light = isLight(palette());
     const bool done = facts_.state == StepState::done;
-    const QColor ground = done     ? (light ? QColor(0xcf, 0xea, 0xdb) : QColor(0x1f, 0x4d, 0x36))
-                          : shown_ ? QColor(light ? 0x1f5fd0 : 0x2f6fe4)
-                                   : palette().color(QPalette::Mid);
+    const QColor ground = themed(palette(), done ? "done" : shown_ ? "accent" : "rule");
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
     painter.drawEllipse(circle);
@@ -110,11 +111,9 @@ void StepButton::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF whole = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    const bool light = isLight(palette());
     if (shown_ || underMouse() || isDown()) {
         painter.setPen(Qt::NoPen);
-        painter.setBrush(shown_ ? (light ? QColor(0xd6, 0xe4, 0xfb) : QColor(0x1d, 0x2c, 0x49))
-                                : (light ? QColor(0xe3, 0xe8, 0xee) : QColor(0x1e, 0x25, 0x2d)));
+        painter.setBrush(themed(palette(), shown_ ? "selected" : "hover"));
         painter.drawRoundedRect(whole, 5, 5);
     }
     if (hasFocus()) {

@@ -64,7 +64,7 @@ Result<std::map<Place, Gathered>> gatherLabelled(const SceneState& scene, std::s
                         "repeat " + std::to_string(std::get<3>(where)) + " of '" +
                             cleanText(std::get<0>(where)) + "' lacks an end",
                         lineOf(place, repeat.line),
-                        "expected a and b of each pair, 1 to the last of each path");
+                        "expected a and b of each pair, p1 to the last of each path");
     }
     return repeats;
 }

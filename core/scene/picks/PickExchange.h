@@ -12,7 +12,7 @@
 namespace vestige {
 
 /// All picks of the case as "label name,x,y,z", scene metres, every digit. The label tells where the point
-/// belongs: "OBJECT | KEY | REPEAT | END", END a and b of a pair, 1, 2, ... of a path; the layer that the
+/// belongs: "OBJECT | KEY | REPEAT | END", END a and b of a pair, p1, p2, ... of a path; the layer that the
 /// point lies on follows where that is not KEY. What was fitted round a point does not fit into such a list.
 std::string picksCsv(const SceneState& scene);
 

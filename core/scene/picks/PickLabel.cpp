@@ -24,7 +24,8 @@ bool takeEnd(const std::string& text, PickLabel& label) {
         label.end = text == "a" ? 0 : 1;
         return true;
     }
-    const auto corner = ordinal(text);
+    if (!text.starts_with('p')) return false;
+    const auto corner = ordinal(text.substr(1));
     if (corner) label.end = *corner - 1;
     return corner.has_value();
 }
@@ -59,7 +60,7 @@ std::optional<PickLabel> labelOf(const std::vector<std::string>& parts, bool wit
 
 std::string textOf(const PickLabel& label) {
     const std::string end =
-        label.ofPath ? std::to_string(label.end + 1) : std::string(label.end == 0 ? "a" : "b");
+        label.ofPath ? "p" + std::to_string(label.end + 1) : std::string(label.end == 0 ? "a" : "b");
     std::string text = label.object;
     for (const std::string& part : {label.key, std::to_string(label.repeat), end})
         text += std::string(kBar) + part;
@@ -68,7 +69,7 @@ std::string textOf(const PickLabel& label) {
 }
 
 std::optional<PickLabel> parsePickLabel(const std::string& text) {
-    // Four parts are tried first: a layer's name may be a number, an end may not be a layer's.
+    // An end is no number, a repeat is one: only one of both readings is possible.
     if (auto plain = labelOf(lastParts(text, 3), false)) return plain;
     return labelOf(lastParts(text, 4), true);
 }

@@ -45,7 +45,8 @@ TEST(PickLabels, ReadBackWhatTheySay) {
                                    {"Length", "lidar", 12, false, 1, "front"},
                                    {"A | B", "aerial", 3, true, 41, "aerial"},
                                    {"3", "1", 2, true, 0, "4"},
-                                   {"3", "1", 2, true, 0, "a"}}) {
+                                   {"3", "1", 2, true, 0, "a"},
+                                   {"3", "1", 2, false, 0, "p1"}}) {
         const auto read = parsePickLabel(textOf(label));
         ASSERT_TRUE(read) << textOf(label);
         EXPECT_EQ(read->object, label.object) << textOf(label);
@@ -55,8 +56,8 @@ TEST(PickLabels, ReadBackWhatTheySay) {
         EXPECT_EQ(read->ofPath, label.ofPath);
         EXPECT_EQ(read->layer, label.layer);
     }
-    for (const char* text :
-         {"", "Point 1", "a | b", "a | b | c | d", "a | b | 0 | a", "a | b | 1 | 0", " | b | 1 | a"})
+    for (const char* text : {"", "Point 1", "a | b", "a | b | c | d", "a | b | 0 | a", "a | b | 1 | 2",
+                             "a | b | 1 | p0", " | b | 1 | a"})
         EXPECT_FALSE(parsePickLabel(text)) << text;
 }
 
@@ -125,7 +126,7 @@ TEST(PickExchange, WhatDoesNotFitIsSaidWithItsLine) {
         refusalOf(scene, "A | rear | 1 | a,1,2,3\n").find("picks.csv line 1: the case has no layer 'rear'"),
         std::string::npos);
     EXPECT_NE(refusalOf(scene, "A | aerial | 1 | a,1,2,3\n").find("lacks an end"), std::string::npos);
-    EXPECT_NE(refusalOf(scene, "A | aerial | 1 | 1,1,2,3\nA | aerial | 1 | 3,1,2,3\n").find("lacks an end"),
+    EXPECT_NE(refusalOf(scene, "A | aerial | 1 | p1,1,2,3\nA | aerial | 1 | p3,1,2,3\n").find("lacks an end"),
               std::string::npos);
     EXPECT_NE(refusalOf(scene, "A | aerial | 1 | a,1,2,3\nA | aerial | 1 | a,1,2,3\n").find("stands twice"),
               std::string::npos);
