@@ -18,6 +18,7 @@
 #include "ui/panels/ViewsPanel.h"
 #include "ui/shell/CompareBar.h"
 #include "ui/shell/NoticeBar.h"
+#include "ui/shell/SnapButton.h"
 #include "ui/shell/ToolPalette.h"
 #include "ui/shell/ToolSwitch.h"
 #include "ui/shell/ViewArea.h"
@@ -88,7 +89,10 @@ QWidget* WorkArea::makeMiddle() {
     auto* welcome = new WelcomePage(bench_.actions, bench_.recent);
     area->setWelcome(welcome);
     connect(welcome, &WelcomePage::chosen, this, &WorkArea::chosen);
-    connect(&tools_.measure(), &MeasureTool::hintChanged, area, &ViewArea::setHint);
+    auto* snap = new SnapButton(bench_.actions);
+    area->setChooser(snap);
+    connect(&tools_, &ToolSwitch::picking, area, &ViewArea::showChooser);
+    connect(&tools_, &ToolSwitch::hintChanged, area, &ViewArea::setHint);
     const auto follow = [this, area] { area->showWelcome(bench_.document.state().layers.empty()); };
     connect(&bench_.document, &Document::changed, area, follow);
     follow();
