@@ -68,7 +68,7 @@ struct MainWindow::Private {
           presenter(std::make_unique<ScenePresenter>(
               ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts}, *jobs,
               *view)),
-          tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, notices, *view)),
+          tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, *view)),
           bench{
               window,   actions,  document,          selection,    presentation, preview, comparison, trace,
               attempts, *jobs,    notices,           loader,       evidence,     recent,  history,    outputs,
