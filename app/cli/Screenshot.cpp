@@ -22,6 +22,7 @@ struct Options {
     std::string color = "auto";
     std::string theme = "dark";
     double pointSize_px = 2;
+    double scale = 1;
     bool window = false;
     std::vector<std::string> actions;
 };
@@ -43,7 +44,7 @@ std::string sizeProblem(const std::string& text) {
 
 int runWindow(Session& session, const Options& options) {
     const auto [width, height] = *sizeFromText(options.size);
-    const OffscreenApplication application;
+    const OffscreenApplication application(options.scale);
     const Status drawn = drawWindow({options.inputs, options.out, *namedViewFromName(options.view),
                                      *overlayFromName(options.overlay), options.actions,
                                      *themeFromName(options.theme), width, height});
@@ -136,6 +137,12 @@ Run declareScreenshot(CLI::App& command) {
     CLI::Option* window =
         command.add_flag("--window", options->window,
                          "The whole desktop window with the inputs opened, not the 3D view alone.");
+    command
+        .add_option("--scale", options->scale,
+                    "With --window: pixels of the picture for each of the window, as on a screen of high "
+                    "density. Default: 1.")
+        ->needs(window)
+        ->check(CLI::Range(1.0, 4.0));
     command
         .add_option("--action", options->actions,
                     "With --window: an action to trigger before the picture is made (register.watch, "

@@ -64,6 +64,10 @@ int run(int argc, char** argv) {
         const QCoreApplication words(argc, argv);
         parser.process(words);
     }
+    // Screens of any density: everything is drawn at its own resolution, in steps as fine as the desktop's.
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     setNativeSurfaceFormat();
     Application application(argc, argv);
     // Numbers are written with a point everywhere; Qt has set the locale of the environment.

@@ -52,7 +52,18 @@ QString FileChooser::caseToSave(QWidget* window, const QString& suggestion) {
 }
 
 QString FileChooser::csvToSave(QWidget* window, const QString& suggestion) {
-    return QFileDialog::getSaveFileName(window, tr("Export measurements"), suggestion, "CSV (*.csv)");
+    return QFileDialog::getSaveFileName(window, tr("Export as CSV"), suggestion, "CSV (*.csv)");
+}
+
+QString FileChooser::tableToOpen(QWidget* window, const QString& title) {
+    return QFileDialog::getOpenFileName(
+        window, title, {},
+        tr("Tables") + " (*.csv *.txt *.tsv *.asc *.xyz *.pts);;" + tr("All files") + " (*)");
+}
+
+QString FileChooser::sheetToSave(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, tr("Save shortcut sheet"), suggestion,
+                                        "PDF (*.pdf);;HTML (*.html);;" + tr("Text") + " (*.txt)");
 }
 
 QString FileChooser::folderForReport(QWidget* window, const QString& suggestion) {

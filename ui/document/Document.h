@@ -31,6 +31,9 @@ class Document : public QObject {
     bool canRedo() const { return scene_.canRedo(); }
     void undo();
     void redo();
+    /// Takes that many steps back (negative) or does them again, as far as there are any; `changed` comes
+    /// once.
+    void travel(int steps);
     QString undoText() const;
     QString redoText() const;
 

@@ -44,7 +44,7 @@ EvidencePanel::EvidencePanel(Document& document, Evidence& evidence, QWidget* pa
       list_(new CompactList(tr("Files are hashed (SHA-256) as they are read."))) {
     list_->tree().setObjectName("evidence");
     list_->tree().setSelectionMode(QAbstractItemView::NoSelection);
-    list_->tree().setFocusPolicy(Qt::NoFocus);
+    list_->tree().setAccessibleName(tr("Evidence"));
     setContent(list_);
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&evidence_, &Evidence::changed, this, [this] { fill(); });

@@ -74,6 +74,7 @@ MeasurementsPanel::MeasurementsPanel(Document& document, Selection& selection, N
                            "object, three times. Then type what the tape says."))),
       repeats_(new QLabel) {
     methods_->setObjectName("methods");
+    methods_->setAccessibleName(tr("Method"));
     methods_->setToolTip(tr("The method whose figures are shown"));
     methods_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     addToHeading(methods_);
@@ -111,12 +112,13 @@ MeasurementsPanel::MeasurementsPanel(Document& document, Selection& selection, N
 
 void MeasurementsPanel::makeTable() {
     table_->setObjectName("measurements");
+    table_->setAccessibleName(tr("Measurements"));
     table_->setModel(model_);
     table_->setFrameShape(QFrame::NoFrame);
     table_->setShowGrid(false);
     table_->setWordWrap(true);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed | QAbstractItemView::SelectedClicked);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

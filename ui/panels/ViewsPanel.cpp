@@ -12,6 +12,7 @@ namespace vestige {
 ViewsPanel::ViewsPanel(const ActionCatalog& actions, QWidget* parent) : PanelSection(tr("Views"), parent) {
     auto* list = new CompactList({});
     list->tree().setObjectName("views");
+    list->tree().setAccessibleName(tr("Views"));
     list->tree().setSelectionMode(QAbstractItemView::NoSelection);
     for (const char* id : {"view.perspective", "view.top", "view.front", "view.left", "view.iso"}) {
         const QAction& action = actions[id];

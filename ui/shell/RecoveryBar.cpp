@@ -40,6 +40,7 @@ RecoveryBar::RecoveryBar(Autosave& autosave, Loader& loader, std::function<bool(
     later->setText(QString::fromUtf8("×"));
     later->setAutoRaise(true);
     later->setToolTip(tr("Decide later"));
+    later->setAccessibleName(later->toolTip());
     row->addWidget(later);
     connect(accept_, &QPushButton::clicked, this, [this] { accept(); });
     connect(discard_, &QPushButton::clicked, this, [this] { discard(); });

@@ -46,6 +46,7 @@ QString colorText(const Presentation& shown) {
 QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentation) {
     auto* button = new QToolButton;
     button->setObjectName("color-mode");
+    button->setAccessibleName(QObject::tr("Colour"));
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("What the points' colour shows"));
     auto* menu = new QMenu(button);
@@ -65,6 +66,7 @@ QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentatio
 QToolButton* compareButton(const ActionCatalog& actions) {
     auto* button = new QToolButton;
     button->setObjectName("compare");
+    button->setAccessibleName(QObject::tr("Compare"));
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("Compare two pictures of the scene: swipe, blink, checkerboard"));
     button->setCheckable(true);

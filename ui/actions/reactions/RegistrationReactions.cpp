@@ -47,6 +47,7 @@ RegistrationReactions::RegistrationReactions(const Workbench& bench, QObject* pa
         bench_.attempts.showPreview(described(), on);
         follow();
     });
+    actions.onToggled("register.watch", [this](bool on) { watch_ = on; });
     actions.onTriggered("register.clear", [this] {
         bench_.document.perform(setRegistration(bench_.selection.layer(), std::nullopt));
     });
@@ -105,7 +106,7 @@ void RegistrationReactions::run(const std::vector<std::string>& layers,
     const QString names = namesOf(scene, layers);
     bench_.preview.end();
     FitTrace::Watches watches;
-    if (bench_.actions["register.watch"].isChecked()) {
+    if (watch_) {
         bench_.comparison.setMode(std::nullopt);
         bench_.presentation.setOverlay(Overlay::registration);
         bench_.actions["view.panel-fit"].trigger();
