@@ -36,21 +36,21 @@ QString snapText(SnapMode mode) {
 QString snapPhrase(SnapMode mode) {
     switch (mode) {
         case SnapMode::point:
-            return PickChoices::tr("the nearest point");
+            return PickChoices::tr("at the nearest point");
         case SnapMode::plane:
-            return PickChoices::tr("the local plane");
+            return PickChoices::tr("on the local plane");
         case SnapMode::edge:
-            return PickChoices::tr("an edge");
+            return PickChoices::tr("on an edge");
         case SnapMode::corner:
-            return PickChoices::tr("a corner");
+            return PickChoices::tr("at a corner");
         case SnapMode::highest:
-            return PickChoices::tr("the highest point");
+            return PickChoices::tr("at the highest point");
         case SnapMode::lowest:
-            return PickChoices::tr("the lowest point");
+            return PickChoices::tr("at the lowest point");
         case SnapMode::circle:
-            return PickChoices::tr("a circle's centre");
+            return PickChoices::tr("at a circle's centre");
         case SnapMode::centroid:
-            return PickChoices::tr("the centroid");
+            return PickChoices::tr("at the centroid");
     }
     return {};
 }

@@ -49,7 +49,7 @@ inline constexpr SnapMode kSnapModes[] = {SnapMode::point,  SnapMode::plane,   S
 
 /// "edge": of the chooser and the loupe.
 QString snapText(SnapMode mode);
-/// "an edge": what the next click takes, within a sentence.
+/// "on an edge": what the next click takes, within a sentence.
 QString snapPhrase(SnapMode mode);
 
 }  // namespace vestige

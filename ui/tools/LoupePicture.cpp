@@ -227,7 +227,7 @@ QImage LoupePicture::draw(const SceneView& view, const QPointF& centre, double m
     // Smaller than enlarged pixels, so that points stand apart; never so small that they get lost.
     const double radius = std::max(2.0, 0.3 * magnification * shown.pointSize_px);
     const double margin = radius / magnification;
-    Gathering(shown, view.camera(), centre, half + margin, 0.5 / magnification)
+    Gathering(shown, view.camera(), centre, half + margin, 0.6 * margin)
         .run([&](std::size_t layer, std::uint32_t point, const Eigen::Vector2d& pixel, double depth) {
             canvas.disc(magnification * (pixel.x() - centre.x()) + 0.5 * side_px,
                         magnification * (pixel.y() - centre.y()) + 0.5 * side_px, radius,

@@ -10,8 +10,8 @@ class SceneView;
 
 /// The place round a position of a view, magnified: its points drawn anew and not the picture's pixels
 /// enlarged, so that points stand apart that share a pixel of the picture. Colours are those of the view;
-/// what is hidden there or cut away is not here either. Takes a few milliseconds whatever the cloud: of what
-/// would lie within a pixel one point is drawn, and no more than 60 000 in all, nearest first.
+/// what is hidden there or cut away is not here either. Takes a few milliseconds whatever the cloud: of
+/// points that would cover each other one is drawn, and no more than 60 000 in all, nearest first.
 class LoupePicture {
   public:
     LoupePicture();

@@ -202,13 +202,16 @@ void MeasureTool::tellHint() {
     const std::size_t done = object ? pickCount(*object, document_.state(), selection_.method()) : 0;
     const QString repeat = done < 3 ? tr("repeat %1 of 3").arg(done + 1) : tr("repeat %1").arg(done + 1);
     const QString taken = snapPhrase(aids_.choices.snap());
-    const QString step = first_ ? tr("click the second end, %1; Esc gives up").arg(taken)
-                                : tr("click the first end, %1").arg(taken);
+    const QString step = first_ ? tr("click the second end %1, Esc gives up").arg(taken)
+                                : tr("click the first end %1").arg(taken);
     QString hint = tr("%1, %2: %3").arg(name, repeat, step);
     // Whoever aims at the second end should not know what would fit the other repeats.
-    const QString below = !problem_.isEmpty() ? problem_
-                          : first_            ? QString()
-                                              : repeatNoiseText(document_.state(), selection_, last_);
+    // Whoever aims at the second end should not know what would fit the other repeats.
+    QString below = problem_;
+    if (below.isEmpty() && !first_) below = repeatNoiseText(document_.state(), selection_, last_);
+    // A line that comes and goes under the cursor would move what stands beside it.
+    if (below.isEmpty() && aids_.choices.snap() != SnapMode::point)
+        below = tr("What is found is drawn before the click. N: the next kind of snap.");
     if (!below.isEmpty()) hint += '\n' + below;
     emit hintChanged(hint);
 }

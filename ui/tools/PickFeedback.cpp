@@ -16,9 +16,8 @@ constexpr double kMagnification = 6;
 }  // namespace
 
 PickFeedback::PickFeedback(const PickChoices& choices, QObject* parent) : QObject(parent), choices_(choices) {
-    connect(&choices_, &PickChoices::changed, this, [this] {
-        if (!choices_.loupe() && loupe_) loupe_->hide();
-    });
+    // What is shown was found for another choice.
+    connect(&choices_, &PickChoices::changed, this, &PickFeedback::hide);
 }
 
 PickFeedback::~PickFeedback() = default;

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWidget>
+#include <cmath>
 
 #include "core/scene/Edits.h"
 #include "core/scene/PickFrame.h"
@@ -35,6 +36,13 @@ std::optional<QPoint> stepOf(const QKeyEvent& event) {
         default:
             return std::nullopt;
     }
+}
+
+std::optional<QPoint> pixelOf(const SceneView& view, const Eigen::Vector3d& world) {
+    const auto seen = view.camera().project(world);
+    if (!seen || seen->pixel.cwiseAbs().maxCoeff() > 1e6) return std::nullopt;
+    return QPoint(static_cast<int>(std::floor(seen->pixel.x())),
+                  static_cast<int>(std::floor(seen->pixel.y())));
 }
 
 }  // namespace
@@ -140,10 +148,7 @@ void PickMover::paint(QPainter& painter, const ViewCamera& camera, const ViewThe
 std::optional<QPoint> PickMover::aimOf(const SceneView& view, const PickHandle& handle) const {
     const PickedPoint* point = pointOf(document_.state(), handle);
     if (!point) return std::nullopt;
-    const auto seen = view.camera().project(scenePosition(document_.state(), *point));
-    if (!seen || seen->pixel.cwiseAbs().maxCoeff() > 1e6) return std::nullopt;
-    return QPoint(static_cast<int>(std::floor(seen->pixel.x())),
-                  static_cast<int>(std::floor(seen->pixel.y())));
+    return pixelOf(view, scenePosition(document_.state(), *point));
 }
 
 /// Why the end cannot go to that place; empty when it can.
@@ -191,13 +196,19 @@ void PickMover::finish(SceneView& view, const PickHandle& handle, const ProbedPl
 bool PickMover::nudge(SceneView& view, const QPoint& step) {
     if (!active_ || held_) return false;
     if (nudge_ && nudge_->ending) return true;
+    const QSize size = view.widget()->size();
     if (!nudge_) {
         const auto aim = aimOf(view, *active_);
         if (!aim) return false;
-        nudge_ = Nudge{*active_, *aim, 0, std::nullopt, false};
+        nudge_ = Nudge{*active_, *aim, size, 0, std::nullopt, false};
         nudgedIn_ = &view;
         // What the keys aim at are pixels of this camera.
         connect(&view, &SceneView::cameraChanged, this, &PickMover::endNudge, Qt::UniqueConnection);
+    } else if (nudge_->size != size) {
+        // The view has got another size under the same camera.
+        if (nudge_->last && nudge_->last->under)
+            if (const auto aim = pixelOf(view, nudge_->last->under->world)) nudge_->aim = *aim;
+        nudge_->size = size;
     }
     nudge_->aim += step;
     ++nudge_->asked;

@@ -3,6 +3,7 @@
 #include <QCursor>
 #include <QObject>
 #include <QPoint>
+#include <QSize>
 #include <QTimer>
 #include <optional>
 
@@ -67,6 +68,7 @@ class PickMover : public QObject {
     struct Nudge {
         PickHandle handle;
         QPoint aim;
+        QSize size;                       ///< of the view that this is a pixel of
         int asked = 0;                    ///< answers that are still to come
         std::optional<ProbedPlace> last;  ///< what the keys have come to
         bool ending = false;              ///< enters the case with the last answer

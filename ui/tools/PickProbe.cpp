@@ -24,6 +24,14 @@ bool same(const Similarity& a, const Similarity& b) {
     return a.scale == b.scale && a.pose.matrix() == b.pose.matrix();
 }
 
+/// "No corner was found round the pick: 60 points within 400 mm."
+QString sentenceOf(const Error& error) {
+    QString text = QString::fromStdString(error.message);
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    if (!error.place.empty()) text += ": " + QString::fromStdString(error.place);
+    return text + '.';
+}
+
 }  // namespace
 
 /// A feature to be fitted. It keeps what it needs of the layer, so that it can be asked on any thread.
@@ -189,9 +197,7 @@ ProbedPlace PickProbe::answered(const Question& question, ProbedPlace place,
     place.fitting = false;
     if (!feature) {
         place.pick.reset();
-        place.problem = QString::fromStdString(feature.error().message);
-        if (!place.problem.isEmpty()) place.problem[0] = place.problem[0].toUpper();
-        place.problem += '.';
+        place.problem = sentenceOf(feature.error());
         return place;
     }
     place.pick->feature = *feature;

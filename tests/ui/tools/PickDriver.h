@@ -14,6 +14,9 @@ namespace vestige::test {
 class PickDriver {
   public:
     explicit PickDriver(bool both = false);
+    /// In place of the yard a box like the one there, sampled every 50 mm on five sides, on a ground.
+    struct Box {};
+    explicit PickDriver(Box);
 
     WindowDriver& window() { return *driver_; }
     const SceneState& scene() const { return driver_->scene(); }
@@ -25,6 +28,7 @@ class PickDriver {
     /// A click there; waits for what is fitted.
     void click(const QPoint& place, Qt::MouseButton button = Qt::LeftButton,
                Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    void doubleClick(const QPoint& place);
     void press(const QPoint& place, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void moveHeld(const QPoint& place, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void release(const QPoint& place, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
@@ -40,6 +44,8 @@ class PickDriver {
     static bool wait(const std::function<bool()>& until, int milliseconds = 10'000);
 
   private:
+    void start(const std::vector<std::filesystem::path>& files);
+
     TemporaryFolder folder_;
     std::unique_ptr<WindowDriver> driver_;
 };
