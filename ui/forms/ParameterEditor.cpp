@@ -52,6 +52,8 @@ ParameterEditor::ParameterEditor(const ParameterSpec& spec, QWidget* parent) : Q
     }
     QWidget* editor = layout()->itemAt(0)->widget();
     editor->setObjectName(QString::fromStdString(spec.key));
+    editor->setAccessibleName(QString::fromStdString(spec.label));
+    editor->setAccessibleDescription(QString::fromStdString(spec.help));
     setToolTip(QString::fromStdString(spec.help));
     setFocusProxy(editor);
 }

@@ -46,6 +46,10 @@ LayerForm::LayerForm(Document& document, Selection& selection, QWidget* parent)
     start_->setToolTip(
         tr("Where the registration of this layer starts. Found automatically: anywhere in the target, "
            "whatever the layer's pose and unit"));
+    name_->setToolTip(tr("How the layer is called in the window and in the report"));
+    role_->setToolTip(tr("What made the scan: it says how precise it is, and what is registered"));
+    unit_->setToolTip(
+        tr("What the file's coordinates are in; recognised from the file where nothing is chosen"));
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Role"), role_);
     form->addRow(tr("Unit"), unit_);

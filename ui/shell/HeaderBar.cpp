@@ -55,7 +55,7 @@ HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* 
     addWidget(saved_);
     auto* right = new QWidget;
     auto* row = new QHBoxLayout(right);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(0, 0, 8, 0);
     row->setSpacing(8);
     row->addStretch(1);
     row->addWidget(buttonFor(actions["register.run"], "plain"));
