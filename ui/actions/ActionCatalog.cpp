@@ -7,28 +7,22 @@
 #include <QMenuBar>
 #include <QWidget>
 
+#include "ui/actions/ActionText.h"
 #include "ui/actions/Icons.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
-namespace {
-
-QString withoutMnemonic(QString text) {
-    return text.remove('&').remove(QChar(0x2026));
-}
-
-}  // namespace
-
 ActionCatalog::ActionCatalog(QWidget* window) : QObject(window) {
     std::map<std::string, QActionGroup*> groups;
     for (const ActionSpec& spec : actionTable()) {
-        auto* action = new QAction(QString::fromUtf8(spec.text), window);
+        auto* action = new QAction(said(spec.text), window);
         action->setObjectName(spec.id);
         action->setShortcut(QKeySequence::fromString(spec.shortcut, QKeySequence::PortableText));
         action->setCheckable(spec.checkable);
-        action->setStatusTip(QString::fromUtf8(spec.help));
+        action->setStatusTip(said(spec.help));
         QString tip = withoutMnemonic(action->text());
         if (*spec.shortcut) tip += "  (" + action->shortcut().toString(QKeySequence::NativeText) + ")";
-        action->setToolTip(tip + "\n" + QString::fromUtf8(spec.help));
+        action->setToolTip(tip + "\n" + action->statusTip());
         if (*spec.group) {
             QActionGroup*& group = groups[spec.group];
             if (!group) group = new QActionGroup(this);
@@ -67,7 +61,7 @@ void ActionCatalog::fill(QMenuBar& bar) const {
     for (const ActionSpec& spec : actionTable()) {
         if (!menu || name != spec.menu) {
             name = spec.menu;
-            menu = bar.addMenu(name);
+            menu = bar.addMenu(said(spec.menu));
             menu->setObjectName(withoutMnemonic(name).toLower());
             menu->setToolTipsVisible(false);
         }
