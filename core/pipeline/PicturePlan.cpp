@@ -9,6 +9,7 @@
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
 #include "core/pipeline/MeasurementMarks.h"
+#include "core/pipeline/SavedViewPictures.h"
 
 namespace vestige {
 namespace {
@@ -89,6 +90,8 @@ class Planner {
 
     std::vector<PlannedPicture> plan() {
         overviews();
+        for (PlannedPicture& picture : savedViewPictures(scene_, measured_))
+            pictures_.push_back(std::move(picture));
         for (const Layer& layer : scene_.layers)
             if (layer.registration) registration(layer);
         closeUps();
@@ -113,6 +116,7 @@ class Planner {
         view.camera = frameView(view, NamedView::perspective, kWidth, kHeight);
         add("overview-perspective", ReportPicture::Kind::overview, {}, "The site, coloured by height", view);
         view.camera = frameView(view, NamedView::top, kWidth, kHeight);
+        view.showNorthArrow = knowsNorth(scene_);
         add("overview-top", ReportPicture::Kind::overview, {}, "The site from above, coloured by height",
             view);
         measuredObjects();
