@@ -2,6 +2,7 @@
 
 class QMouseEvent;
 class QKeyEvent;
+class QWheelEvent;
 
 namespace vestige {
 
@@ -17,6 +18,9 @@ class ViewTool {
     virtual bool mousePress(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseMove(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseRelease(SceneView&, const QMouseEvent&) { return false; }
+    /// Comes in the place of the second press of a double click. Not taken, it does nothing.
+    virtual bool mouseDoubleClick(SceneView&, const QMouseEvent&) { return false; }
+    virtual bool wheel(SceneView&, const QWheelEvent&) { return false; }
     virtual bool keyPress(SceneView&, const QKeyEvent&) { return false; }
 };
 
