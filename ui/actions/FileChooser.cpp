@@ -55,6 +55,10 @@ QString FileChooser::csvToSave(QWidget* window, const QString& suggestion) {
     return QFileDialog::getSaveFileName(window, tr("Export measurements"), suggestion, "CSV (*.csv)");
 }
 
+QString FileChooser::pictureToSave(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, tr("Save picture"), suggestion, "PNG (*.png)");
+}
+
 QString FileChooser::folderForReport(QWidget* window, const QString& suggestion) {
     return QFileDialog::getExistingDirectory(window, tr("Folder for the report"), suggestion);
 }

@@ -15,6 +15,7 @@ class FileChooser {
     virtual QStringList filesToAdd(QWidget* window);
     virtual QString caseToSave(QWidget* window, const QString& suggestion);
     virtual QString csvToSave(QWidget* window, const QString& suggestion);
+    virtual QString pictureToSave(QWidget* window, const QString& suggestion);
     virtual QString folderForReport(QWidget* window, const QString& suggestion);
     enum class Unsaved { save, discard, stay };
     virtual Unsaved unsavedChanges(QWidget* window, const QString& title);

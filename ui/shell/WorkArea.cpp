@@ -66,7 +66,8 @@ QWidget* WorkArea::makeLeft() {
     column->addWidget(new LayersPanel(bench_.document, bench_.selection));
     column->addWidget(new ObjectsPanel(bench_.document, bench_.selection));
     column->addWidget(new EvidencePanel(bench_.document, bench_.evidence));
-    column->addWidget(new ViewsPanel(bench_.actions));
+    viewsPanel_ = new ViewsPanel(bench_.actions, bench_.document);
+    column->addWidget(viewsPanel_);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
@@ -81,10 +82,11 @@ QWidget* WorkArea::makeMiddle() {
     auto* middle = new QWidget;
     auto* column = columnIn(middle);
     auto* area = new ViewArea;
+    viewArea_ = area;
     area->setView(view_.widget());
     connect(area, &ViewArea::arranged, &view_, [this, area] { view_.setCovered(area->covered()); });
     area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
-    area->setBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
+    area->addBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
     auto* welcome = new WelcomePage(bench_.actions, bench_.recent);
     area->setWelcome(welcome);
     connect(welcome, &WelcomePage::chosen, this, &WorkArea::chosen);

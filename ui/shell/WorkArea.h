@@ -11,6 +11,8 @@ namespace vestige {
 
 class SceneView;
 class ToolSwitch;
+class ViewArea;
+class ViewsPanel;
 
 /// The middle of the window: case at the left, view with registration strip, measurements and alignment at
 /// the right, the notice above.
@@ -22,6 +24,9 @@ class WorkArea : public QWidget {
 
     /// One more above the view.
     void addBar(QWidget* bar);
+
+    ViewArea& viewArea() { return *viewArea_; }
+    ViewsPanel& viewsPanel() { return *viewsPanel_; }
 
   signals:
     /// A recent file was chosen.
@@ -36,6 +41,8 @@ class WorkArea : public QWidget {
     SceneView& view_;
     ToolSwitch& tools_;
     QVBoxLayout* column_ = nullptr;
+    ViewArea* viewArea_ = nullptr;
+    ViewsPanel* viewsPanel_ = nullptr;
 };
 
 }  // namespace vestige
