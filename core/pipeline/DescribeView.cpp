@@ -20,6 +20,16 @@ std::shared_ptr<const std::vector<float>> residuals(const SceneState& scene, con
 
 }  // namespace
 
+bool knowsNorth(const SceneState& scene) {
+    const Layer* target = scene.layer(scene.target);
+    if (!target) return false;
+    if (!target->data || target->data->points->empty()) return false;
+    if (!target->data->info.crs.empty()) return true;
+    constexpr double kMapGrid_m = 1e4;
+    const Eigen::Vector3d centre = sceneFromLayer(*target) * target->data->points->bounds().centre();
+    return target->role == LayerRole::aerial && centre.head<2>().cwiseAbs().maxCoeff() >= kMapGrid_m;
+}
+
 ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay, bool before,
                              const JobControl& control) {
     ViewDescription view;

@@ -10,6 +10,7 @@
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
 #include "core/pipeline/MeasurementMarks.h"
+#include "core/pipeline/SavedViewPictures.h"
 
 namespace vestige {
 namespace {
@@ -90,6 +91,8 @@ class Planner {
 
     std::vector<PlannedPicture> plan() {
         overviews();
+        for (PlannedPicture& picture : savedViewPictures(scene_, measured_))
+            pictures_.push_back(std::move(picture));
         for (const Layer& layer : scene_.layers)
             if (layer.registration) registration(layer);
         closeUps();
@@ -115,6 +118,7 @@ class Planner {
         add("overview-perspective", ReportPicture::Kind::overview, {}, say("The site, coloured by height"),
             view);
         view.camera = frameView(view, NamedView::top, kWidth, kHeight);
+        view.showNorthArrow = knowsNorth(scene_);
         add("overview-top", ReportPicture::Kind::overview, {}, say("The site from above, coloured by height"),
             view);
         measuredObjects();

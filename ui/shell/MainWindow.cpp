@@ -46,6 +46,7 @@
 #include "ui/shell/StatusStrip.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToolSwitch.h"
+#include "ui/shell/ViewControls.h"
 #include "ui/shell/WindowReactions.h"
 #include "ui/shell/WorkArea.h"
 #include "ui/view/SceneView.h"
@@ -79,6 +80,7 @@ struct MainWindow::Private {
           registration(bench),
           compares(bench),
           views(bench),
+          viewControls(std::make_unique<ViewControls>(bench, *view, *presenter)),
           exports(bench),
           exchange(bench),
           sample(bench),
@@ -114,6 +116,7 @@ struct MainWindow::Private {
     RegistrationReactions registration;
     CompareReactions compares;
     ViewReactions views;
+    std::unique_ptr<ViewControls> viewControls;
     ExportReactions exports;
     ExchangeReactions exchange;
     SampleReactions sample;
@@ -156,6 +159,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     connect(area, &WorkArea::chosen, this, [this](const QString& path) { open({path}); });
     setCentralWidget(area);
     d.area = area;
+    d.viewControls->attach(area->viewArea(), area->viewsPanel());
     auto* status = new StatusStrip(d.document, *d.jobs);
     d.status = status;
     connect(d.tools.get(), &ToolSwitch::hovered, status, &StatusStrip::showCoordinates);
@@ -185,6 +189,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
 // The view goes before its widget, and the panels before the document that they show.
 MainWindow::~MainWindow() {
     hide();
+    d_->viewControls.reset();
     d_->tools.reset();
     d_->presenter.reset();
     d_->view.reset();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/CameraProjection.h"
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
 #include "core/pipeline/FreeDirections.h"
@@ -66,6 +67,8 @@ ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView&
     connect(&models_.document, &Document::replaced, this, [this] { frameAll_ = true; });
     connect(&models_.document, &Document::changed, this, [this] { refresh(); });
     connect(&models_.presentation, &Presentation::changed, this, [this] { refresh(); });
+    connect(&models_.presentation, &Presentation::sectionChanged, this,
+            [this] { view_.setSection(models_.presentation.section()); });
     connect(&models_.preview, &Preview::changed, this, [this] { refresh(); });
     connect(&models_.comparison, &Comparison::switched, this, [this] { refresh(); });
     connect(&models_.comparison, &Comparison::adjusted, this,
@@ -76,8 +79,27 @@ ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView&
 void ScenePresenter::showNamedView(NamedView view) {
     const ViewDescription& described = view_.description();
     if (bounds(described).empty()) return;
-    view_.setCamera(frameView(placedOnly(models_.document.state(), described), view,
-                              std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height())));
+    const ViewCamera now = view_.camera();
+    view_.setCamera(
+        frameView(placedOnly(models_.document.state(), described), view, now.width_px, now.height_px));
+}
+
+void ScenePresenter::showOtherSide(NamedView view) {
+    const ViewDescription& described = view_.description();
+    if (bounds(described).empty()) return;
+    const ViewCamera now = view_.camera();
+    const ViewDescription placed = placedOnly(models_.document.state(), described);
+    view_.setCamera(framed(placed, fromOtherSide(frameView(placed, view, now.width_px, now.height_px))));
+}
+
+void ScenePresenter::showAll() {
+    if (bounds(view_.description()).empty()) return;
+    const ViewDescription placed = placedOnly(models_.document.state(), view_.description());
+    view_.changeCameras([&](const ViewCamera& camera) { return framed(placed, camera); });
+}
+
+BoundingBox ScenePresenter::placedBounds() const {
+    return subjectBounds(placedOnly(models_.document.state(), view_.description()));
 }
 
 void ScenePresenter::showLayer() {
@@ -156,6 +178,11 @@ void ScenePresenter::show(ViewDescription described) {
     described.title.clear();  // stands in the header of the window
     described.theme = models_.presentation.theme();
     described.eyeDomeLighting = models_.presentation.eyeDomeLighting();
+    described.coloring = models_.presentation.coloring();
+    described.section = models_.presentation.section();
+    described.sizeByDistance = models_.presentation.sizeByDistance();
+    described.showGrid = models_.presentation.grid();
+    described.showNorthArrow = models_.presentation.northArrow() && knowsNorth(models_.document.state());
     for (ViewLayer& shown : described.layers) place(shown);
     if (models_.comparison.active()) described.comparison = models_.comparison.shown();
     annotate(described);
@@ -166,9 +193,8 @@ void ScenePresenter::show(ViewDescription described) {
     }
     const bool frame = frameAll_ && !bounds(described).empty();
     if (frame) {
-        described.camera =
-            frameView(placedOnly(models_.document.state(), described), NamedView::perspective,
-                      std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height()));
+        described.camera = frameView(placedOnly(models_.document.state(), described), NamedView::perspective,
+                                     view_.camera().width_px, view_.camera().height_px);
         frameAll_ = false;
     } else {
         described.camera = view_.camera();

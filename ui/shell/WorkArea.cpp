@@ -81,7 +81,7 @@ void WorkArea::follow() {
     const bool empty = scene.layers.empty();
     begun_ = begun_ || !empty || bench_.document.canUndo() || bench_.document.canRedo() ||
              !scene.file.empty() || !scene.measurements.empty();
-    area_->showWelcome(empty);
+    viewArea_->showWelcome(empty);
     empty_->setCurrentIndex(begun_ ? 1 : 0);
     for (QWidget* widget : {static_cast<QWidget*>(steps_), left_, static_cast<QWidget*>(tabs_)})
         widget->setVisible(begun_);
@@ -100,7 +100,8 @@ QWidget* WorkArea::makeLeft() {
     column->addWidget(new LayersPanel(bench_.document, bench_.selection));
     column->addWidget(new ObjectsPanel(bench_.document, bench_.selection));
     column->addWidget(new EvidencePanel(bench_.document, bench_.evidence));
-    column->addWidget(new ViewsPanel(bench_.actions));
+    viewsPanel_ = new ViewsPanel(bench_.actions, bench_.document);
+    column->addWidget(viewsPanel_);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
@@ -126,11 +127,11 @@ QWidget* WorkArea::makeMiddle() {
     auto* middle = new QWidget;
     auto* column = columnIn(middle);
     auto* area = new ViewArea;
-    area_ = area;
+    viewArea_ = area;
     area->setView(view_.widget());
     connect(area, &ViewArea::arranged, &view_, [this, area] { view_.setCovered(area->covered()); });
     area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
-    area->setBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
+    area->addBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
     auto* welcome = new WelcomePage(bench_.actions, bench_.recent);
     empty_ = new QStackedWidget;
     empty_->addWidget(welcome);

@@ -14,6 +14,7 @@ class StepBar;
 class StepTabs;
 class ToolSwitch;
 class ViewArea;
+class ViewsPanel;
 
 /// The middle of the window: the steps above, the case at the left, the view with the registration strip, the
 /// panels of the step at the right.
@@ -25,6 +26,9 @@ class WorkArea : public QWidget {
 
     /// One more above the view.
     void addBar(QWidget* bar);
+
+    ViewArea& viewArea() { return *viewArea_; }
+    ViewsPanel& viewsPanel() { return *viewsPanel_; }
 
   signals:
     /// A recent file was chosen.
@@ -45,9 +49,10 @@ class WorkArea : public QWidget {
     StepTabs* tabs_ = nullptr;
     QWidget* left_ = nullptr;
     QWidget* strip_ = nullptr;
-    ViewArea* area_ = nullptr;
     QStackedWidget* empty_ = nullptr;
     bool begun_ = false;  ///< a case, though it may be empty yet
+    ViewArea* viewArea_ = nullptr;
+    ViewsPanel* viewsPanel_ = nullptr;
 };
 
 }  // namespace vestige

@@ -3,6 +3,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QPainter>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/view/OffscreenWindow.h"
 #include "ui/view/Overlay.h"
@@ -12,34 +14,39 @@
 namespace vestige {
 namespace {
 
-constexpr int kLargestSide = 16384;
+/// Points whose middle lies outside of a part reach into it, and light looks two pixels aside.
+constexpr int kMargin_px = 32;
+/// What letters and lines are made for.
+constexpr double kWindow_dpi = 96;
+constexpr double kMetresPerInch = 0.0254;
 
 class PictureRenderer : public ViewRenderer {
   public:
-    explicit PictureRenderer(GlContextFactory contexts) : contexts_(std::move(contexts)) {}
+    PictureRenderer(GlContextFactory contexts, int tile_px)
+        : contexts_(std::move(contexts)), tile_px_(tile_px) {}
 
     Status renderPng(const ViewDescription& view, const std::filesystem::path& png,
                      const JobControl& control) override {
         return guarded(png.string(), [&]() -> Status {
             const QSize size(view.camera.width_px, view.camera.height_px);
-            if (size.width() < 1 || size.height() < 1 || std::max(size.width(), size.height()) > kLargestSide)
+            const long pixels = static_cast<long>(size.width()) * size.height();
+            if (size.width() < 1 || size.height() < 1 ||
+                std::max(size.width(), size.height()) > kLargestSide_px || pixels > kMostPixels)
                 return fail(ErrorCode::usage,
                             "a picture of " + std::to_string(size.width()) + " x " +
                                 std::to_string(size.height()) + " pixels cannot be drawn",
-                            png.string(), "1 to " + std::to_string(kLargestSide) + " a side");
+                            png.string(),
+                            "1 to " + std::to_string(kLargestSide_px) + " a side, " +
+                                std::to_string(kMostPixels / 1000000) + " million in all");
             if (const Status ready = prepare(); !ready) return ready;
             control.progress(0, "drawing " + png.filename().string());
-            window_->resize(size);
             drawing_->show(view);
-            drawing_->setCamera(view.camera);
-            drawing_->beginPicture(1);
-            QImage picture = window_->draw();
+            QImage picture =
+                std::max(size.width(), size.height()) <= tile_px_ ? drawn(view) : drawnInParts(view, control);
             if (control.cancelled()) return fail(cancelledError());
             if (picture.isNull())
                 return fail(ErrorCode::output, "the picture could not be drawn", png.string());
-            QPainter painter(&picture);
-            paintOverlay(painter, {view, view.camera, drawing_->scale(), std::nullopt});
-            painter.end();
+            paintOver(picture, view);
             const Status written = writePng(picture, png);
             control.progress(1);
             return written;
@@ -47,6 +54,56 @@ class PictureRenderer : public ViewRenderer {
     }
 
   private:
+    QImage drawn(const ViewDescription& view) {
+        window_->resize({view.camera.width_px, view.camera.height_px});
+        drawing_->setCamera(view.camera);
+        drawing_->beginPicture(1);
+        return window_->draw(view.transparent);
+    }
+
+    QImage drawnInParts(const ViewDescription& view, const JobControl& control) {
+        const int width = view.camera.width_px;
+        const int height = view.camera.height_px;
+        QImage whole(width, height,
+                     view.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
+        if (whole.isNull()) return whole;
+        const int inner = std::max(1, tile_px_ - 2 * kMargin_px);
+        const int parts = ((width + inner - 1) / inner) * ((height + inner - 1) / inner);
+        int done = 0;
+        window_->resize({tile_px_, tile_px_});
+        QPainter onto(&whole);
+        onto.setCompositionMode(QPainter::CompositionMode_Source);
+        for (int top = 0; top < height; top += inner)
+            for (int left = 0; left < width; left += inner) {
+                if (control.cancelled()) return {};
+                drawing_->setCamera(view.camera, {left - kMargin_px, top - kMargin_px, tile_px_, tile_px_});
+                drawing_->beginPicture(1);
+                const QImage part = window_->draw(view.transparent);
+                if (part.isNull()) return {};
+                onto.drawImage(QPoint(left, top), part, QRect(kMargin_px, kMargin_px, inner, inner));
+                control.progress(0.9 * ++done / parts);
+            }
+        return whole;
+    }
+
+    /// Lettering has the size on paper that it has in the window.
+    void paintOver(QImage& picture, const ViewDescription& view) const {
+        if (view.scale.dpi) {
+            const int dots = static_cast<int>(std::lround(*view.scale.dpi / kMetresPerInch));
+            picture.setDotsPerMeterX(dots);
+            picture.setDotsPerMeterY(dots);
+        }
+        // Fonts are in pixels of the painter: what the file says of itself must not enlarge them twice.
+        QPainter painter(&picture);
+        const double factor = view.scale.dpi ? std::max(1.0, *view.scale.dpi / kWindow_dpi) : 1.0;
+        ViewCamera camera = view.camera;
+        camera.width_px = std::max(1, static_cast<int>(std::lround(picture.width() / factor)));
+        camera.height_px = std::max(1, static_cast<int>(std::lround(picture.height() / factor)));
+        painter.scale(static_cast<double>(picture.width()) / camera.width_px,
+                      static_cast<double>(picture.height()) / camera.height_px);
+        paintOverlay(painter, {view, camera, drawing_->scale(), std::nullopt});
+    }
+
     Status prepare() {
         if (drawing_) return {};
         std::unique_ptr<GlContext> context = contexts_();
@@ -58,14 +115,15 @@ class PictureRenderer : public ViewRenderer {
     }
 
     GlContextFactory contexts_;
+    int tile_px_;
     std::unique_ptr<OffscreenWindow> window_;
     std::unique_ptr<SceneDrawing> drawing_;
 };
 
 }  // namespace
 
-std::unique_ptr<ViewRenderer> pictureRenderer(GlContextFactory contexts) {
-    return std::make_unique<PictureRenderer>(std::move(contexts));
+std::unique_ptr<ViewRenderer> pictureRenderer(GlContextFactory contexts, int tile_px) {
+    return std::make_unique<PictureRenderer>(std::move(contexts), std::max(tile_px, 2 * kMargin_px + 1));
 }
 
 }  // namespace vestige
