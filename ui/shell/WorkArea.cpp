@@ -23,6 +23,7 @@
 #include "ui/shell/CompareBar.h"
 #include "ui/shell/EmptyCasePage.h"
 #include "ui/shell/NoticeBar.h"
+#include "ui/shell/SnapButton.h"
 #include "ui/shell/StepBar.h"
 #include "ui/shell/StepTabs.h"
 #include "ui/shell/ToolPalette.h"
@@ -136,7 +137,10 @@ QWidget* WorkArea::makeMiddle() {
     empty_->addWidget(new EmptyCasePage(bench_.document, bench_.notices, bench_.actions));
     area->setWelcome(empty_);
     connect(welcome, &WelcomePage::chosen, this, &WorkArea::chosen);
-    connect(&tools_.measure(), &MeasureTool::hintChanged, area, &ViewArea::setHint);
+    auto* snap = new SnapButton(bench_.actions);
+    area->setChooser(snap);
+    connect(&tools_, &ToolSwitch::picking, area, &ViewArea::showChooser);
+    connect(&tools_, &ToolSwitch::hintChanged, area, &ViewArea::setHint);
     column->addWidget(area, 1);
     strip_ = new RegistrationStrip(bench_.document, bench_.selection, bench_.attempts);
     column->addWidget(strip_);
