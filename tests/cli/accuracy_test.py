@@ -84,7 +84,7 @@ class Accuracy(unittest.TestCase):
             self.assertIn(part, text)
         with table.open(newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
-                for word in row["object"].split():
+                for word in re.split(r"[\s-]", row["object"]):
                     text = text.replace(word, "")
         same = {"RMSE", "Vestige", "UTC", "SD", "RE"}
         self.assertEqual(set(re.findall("[A-Za-z]{2,}", text)) - same - {"mm", "table", "csv"}, set())
