@@ -88,7 +88,7 @@ class Accuracy(unittest.TestCase):
                     text = text.replace(word, "")
         same = {"RMSE", "Vestige", "UTC", "SD", "RE"}
         self.assertEqual(set(re.findall("[A-Za-z]{2,}", text)) - same - {"mm", "table", "csv"}, set())
-        self.assertIn("没有此文件", cli("accuracy", self.folder / "absent.csv", "--language", "zh_CN", code=3).stderr)
+        self.assertIn("无法打开文件进行读取", cli("accuracy", self.folder / "absent.csv", "--language", "zh_CN", code=3).stderr)
         cli("accuracy", table, "--language", "de", code=2)
 
     def test_words_for_people(self):
