@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/base/Version.h"
+#include "ui/document/Document.h"
 #include "ui/document/LanguageSetting.h"
 #include "ui/print/PdfPrinter.h"
 #include "ui/shell/MainWindow.h"

@@ -47,7 +47,7 @@ Section inputSection(const ReportInput& input) {
         const FileInfo& info = layer.data->info;
         table.rows.push_back({std::to_string(i + 1), layer.name, say(name(layer.role)),
                               layer.path.filename().string(),
-                              info.format + (info.version.empty() ? "" : " " + info.version),
+                              info.format + (info.version.empty() ? "" : " " + say(info.version)),
                               std::string(symbol(layer.lengthUnit())), grouped(layer.data->points->size()),
                               extentText(layer)});
         hashes.rows.emplace_back(layer.path.filename().string(), layer.data->sha256);

@@ -17,6 +17,7 @@ ActionCatalog::ActionCatalog(QWidget* window) : QObject(window) {
     for (const ActionSpec& spec : actionTable()) {
         auto* action = new QAction(said(spec.text), window);
         action->setObjectName(spec.id);
+        action->setIconText(withoutMnemonic(action->text()));
         action->setShortcut(QKeySequence::fromString(spec.shortcut, QKeySequence::PortableText));
         action->setCheckable(spec.checkable);
         action->setStatusTip(said(spec.help));

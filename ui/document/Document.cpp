@@ -1,9 +1,21 @@
 #include "ui/document/Document.h"
 
+#include "core/base/Translation.h"
 #include "core/scene/CaseFile.h"
 #include "ui/document/Wording.h"
 
 namespace vestige {
+namespace {
+
+/// An edit of the history, in which what the case calls its things stays as it is.
+QString inWords(const std::string& edit, const SceneState& state) {
+    std::set<std::string, std::less<>> names;
+    for (const Layer& layer : state.layers) names.insert({layer.id, layer.name});
+    for (const Measurement& measurement : state.measurements) names.insert(measurement.object);
+    return toQt(Translator(language(), std::move(names))(edit));
+}
+
+}  // namespace
 
 Document::Document(QObject* parent) : QObject(parent) {
     watch();
@@ -51,11 +63,11 @@ void Document::travel(int steps) {
 }
 
 QString Document::undoText() const {
-    return said(scene_.undoText());
+    return inWords(scene_.undoText(), state());
 }
 
 QString Document::redoText() const {
-    return said(scene_.redoText());
+    return inWords(scene_.redoText(), state());
 }
 
 QString Document::title() const {

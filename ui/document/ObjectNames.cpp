@@ -6,7 +6,7 @@ namespace vestige {
 
 std::string freeObjectName(const SceneState& scene) {
     for (int n = 1;; ++n) {
-        std::string name = say("Length %1", {std::to_string(n)});
+        std::string name = say("Length") + " " + std::to_string(n);
         if (!scene.measurement(name)) return name;
     }
 }
