@@ -104,7 +104,11 @@ bool MeasureTool::mouseDoubleClick(SceneView&, const QMouseEvent& event) {
 }
 
 bool MeasureTool::keyPress(SceneView& view, const QKeyEvent& event) {
-    if (!first_ && aids_.mover.keyPress(view, event)) return true;
+    if (!first_ && aids_.mover.keyPress(view, event)) {
+        // The release that follows a drag that was given up is no click.
+        pressed_.reset();
+        return true;
+    }
     if (event.key() != Qt::Key_Escape) return false;
     if (first_)
         abandon();
@@ -124,7 +128,9 @@ void MeasureTool::paint(const SceneView&, QPainter& painter, const ViewCamera& c
 }
 
 void MeasureTool::click(SceneView& view, const QPoint& position) {
-    aids_.probe.take(view, position, [this](const ProbedPlace& place) { take(place); });
+    aids_.probe.take(view, position, [this, asked = abandoned_](const ProbedPlace& place) {
+        if (asked == abandoned_) take(place);
+    });
 }
 
 void MeasureTool::take(const ProbedPlace& place) {
@@ -167,6 +173,7 @@ void MeasureTool::complete(const ProbedPick& second) {
 }
 
 void MeasureTool::abandon() {
+    ++abandoned_;
     first_.reset();
     problem_.clear();
     showPending(std::nullopt);

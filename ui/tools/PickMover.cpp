@@ -134,6 +134,13 @@ void PickMover::select(std::optional<PickHandle> handle) {
 
 void PickMover::leave(SceneView& view) {
     endNudge();
+    if (nudge_) {
+        // No more answers come from here on: what the keys had come to counts.
+        const Nudge done = *nudge_;
+        nudge_.reset();
+        view.setPendingMark(std::nullopt);
+        if (done.last) finish(view, done.handle, *done.last);
+    }
     if (held_) giveUp(view);
     pointed_.reset();
     active_.reset();
