@@ -64,6 +64,8 @@ int runScreenshot(Session& session, const Options& options) {
         return session.failed(
             {ErrorCode::usage, "the window opens whole files", "--window", "leave out --every and --box"});
     if (options.window) return runWindow(session, options);
+    if (options.inputs.empty())
+        return session.failed({ErrorCode::usage, "no input is named", "INPUT", "a case, or clouds and meshes"});
     const JobControl& control = session.control();
     const Overlay overlay = *overlayFromName(options.overlay);
     Result<ViewDescription> view =
@@ -101,8 +103,8 @@ Run declareScreenshot(CLI::App& command) {
         .add_option(
             "INPUT", options->inputs,
             "One case (case.json, NAME.vestige), or any readable clouds and meshes; of these the first "
-            "is the target of the overlays.")
-        ->required();
+            "is the target of the overlays. None, with --window: the start page.")
+        ->type_name("FILE");
     command.add_option("--out", options->out, "The picture, a PNG file.")
         ->required()
         ->type_name("PNG")

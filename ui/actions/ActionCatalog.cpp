@@ -7,25 +7,19 @@
 #include <QMenuBar>
 #include <QWidget>
 
+#include "ui/actions/ActionText.h"
 #include "ui/actions/Icons.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
-namespace {
-
-QString withoutMnemonic(QString text) {
-    return text.remove('&').remove(QChar(0x2026));
-}
-
-}  // namespace
-
 ActionCatalog::ActionCatalog(QWidget* window) : QObject(window) {
     std::map<std::string, QActionGroup*> groups;
     for (const ActionSpec& spec : actionTable()) {
-        auto* action = new QAction(QString::fromUtf8(spec.text), window);
+        auto* action = new QAction(said(spec.text), window);
         action->setObjectName(spec.id);
         action->setShortcut(QKeySequence::fromString(spec.shortcut, QKeySequence::PortableText));
         action->setCheckable(spec.checkable);
-        action->setStatusTip(QString::fromUtf8(spec.help));
+        action->setStatusTip(said(spec.help));
         if (*spec.group) {
             QActionGroup*& group = groups[spec.group];
             if (!group) group = new QActionGroup(this);
@@ -61,11 +55,11 @@ QAction& ActionCatalog::operator[](const std::string& id) const {
 }
 
 QString ActionCatalog::text(const ActionSpec& spec) const {
-    return QString::fromUtf8(spec.text);
+    return said(spec.text);
 }
 
 QString ActionCatalog::menuText(const ActionSpec& spec) const {
-    return QString::fromUtf8(spec.menu);
+    return said(spec.menu);
 }
 
 void ActionCatalog::onTriggered(const std::string& id, std::function<void()> reaction) {
@@ -99,7 +93,7 @@ void ActionCatalog::fill(QMenuBar& bar) const {
     for (const ActionSpec& spec : actionTable()) {
         if (!menu || name != spec.menu) {
             name = spec.menu;
-            menu = bar.addMenu(name);
+            menu = bar.addMenu(said(spec.menu));
             menu->setObjectName(withoutMnemonic(name).toLower());
             menu->setToolTipsVisible(false);
         }

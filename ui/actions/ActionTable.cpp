@@ -204,6 +204,10 @@ const std::vector<ActionSpec>& actionTable() {
          true},
         {"view.larger-points", "&View", "L&arger points", "Draw points larger.", "larger", "+", always},
         {"view.smaller-points", "&View", "&Smaller points", "Draw points smaller.", "smaller", "-", always},
+        {"view.language-en", "&View", "English", "Window, messages and reports in English.", "language", "",
+         always, true, "language", true},
+        {"view.language-zh", "&View", "Simplified Chinese",
+         "Window, messages and reports in Simplified Chinese.", "language", "", always, true, "language"},
 
         {"view.panel-import", "&View", "Imp&ort panel", "The files of the case and what they are.", "import",
          "Ctrl+0", always, false, "", true},

@@ -26,8 +26,8 @@ QPixmap drawn(QByteArray svg, const QColor& ink, const QSize& size) {
     return QPixmap::fromImage(reader.read());
 }
 
-/// Draws at the size that is asked for, when it is asked for: sharp on every screen, and a program that starts
-/// draws only what it shows.
+/// Draws at the size that is asked for, when it is asked for: sharp on every screen, and a program that
+/// starts draws only what it shows.
 class LineIcon : public QIconEngine {
   public:
     LineIcon(QByteArray svg, const QPalette& palette)
@@ -36,7 +36,9 @@ class LineIcon : public QIconEngine {
           disabled_(palette.color(QPalette::Disabled, QPalette::ButtonText)) {}
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        const QColor ink = mode == QIcon::Disabled ? disabled_ : state == QIcon::On ? QColor(Qt::white) : ink_;
+        const QColor ink = mode == QIcon::Disabled ? disabled_
+                           : state == QIcon::On    ? QColor(Qt::white)
+                                                   : ink_;
         const auto key = std::tuple(size.width(), size.height(), ink.rgb());
         auto found = drawn_.find(key);
         if (found == drawn_.end()) found = drawn_.emplace(key, drawn(svg_, ink, size)).first;

@@ -51,11 +51,11 @@ void Document::travel(int steps) {
 }
 
 QString Document::undoText() const {
-    return QString::fromStdString(scene_.undoText());
+    return said(scene_.undoText());
 }
 
 QString Document::redoText() const {
-    return QString::fromStdString(scene_.redoText());
+    return said(scene_.redoText());
 }
 
 QString Document::title() const {

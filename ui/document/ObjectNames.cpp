@@ -1,10 +1,12 @@
 #include "ui/document/ObjectNames.h"
 
+#include "core/base/Translation.h"
+
 namespace vestige {
 
 std::string freeObjectName(const SceneState& scene) {
     for (int n = 1;; ++n) {
-        std::string name = "Length " + std::to_string(n);
+        std::string name = say("Length %1", {std::to_string(n)});
         if (!scene.measurement(name)) return name;
     }
 }

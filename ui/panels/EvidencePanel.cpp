@@ -63,8 +63,7 @@ void EvidencePanel::fill() {
         row->setForeground(1, colorFor(state));
         QString tip = toQt(layer.path);
         if (layer.data) tip += "\nSHA-256 " + QString::fromStdString(layer.data->sha256);
-        if (const auto difference = evidenceDifference(layer))
-            tip += "\n" + QString::fromStdString(*difference);
+        if (const auto difference = evidenceDifference(layer)) tip += "\n" + said(*difference);
         row->setToolTip(0, tip);
         row->setToolTip(1, tip);
         tree.addTopLevelItem(row);

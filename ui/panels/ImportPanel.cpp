@@ -68,7 +68,6 @@ ImportPanel::ImportPanel(Document& document, Selection& selection, const ActionC
     : QWidget(parent),
       document_(document),
       selection_(selection),
-      empty_(new QLabel(tr("Select a layer at the left to see what its file says."))),
       facts_(new QWidget),
       form_(new QFormLayout) {
     auto* content = new QWidget;
@@ -84,18 +83,12 @@ ImportPanel::ImportPanel(Document& document, Selection& selection, const ActionC
     about->setWordWrap(true);
     addSection(*column, tr("Scans"), about);
     addSection(*column, tr("Layer"), new LayerForm(document, selection));
-    auto* file = new QWidget;
-    auto* rows = new QVBoxLayout(file);
-    rows->setContentsMargins(0, 0, 0, 0);
-    empty_->setProperty("role", "muted");
-    rows->addWidget(empty_);
-    rows->addWidget(facts_);
     facts_->setLayout(form_);
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setHorizontalSpacing(12);
     form_->setVerticalSpacing(6);
     form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
-    addSection(*column, tr("File"), file);
+    file_ = addSection(*column, tr("File"), facts_);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
@@ -120,8 +113,7 @@ ImportPanel::ImportPanel(Document& document, Selection& selection, const ActionC
 
 void ImportPanel::fill() {
     const Layer* layer = document_.state().layer(selection_.layer());
-    empty_->setVisible(!layer);
-    facts_->setVisible(layer != nullptr);
+    file_->setVisible(layer != nullptr);
     while (form_->rowCount() > 0) form_->removeRow(0);
     if (!layer) return;
     for (const auto& [name, value] : factsOf(*layer)) {

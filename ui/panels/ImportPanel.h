@@ -3,7 +3,6 @@
 #include <QWidget>
 
 class QFormLayout;
-class QLabel;
 
 namespace vestige {
 
@@ -24,7 +23,7 @@ class ImportPanel : public QWidget {
 
     Document& document_;
     Selection& selection_;
-    QLabel* empty_;
+    QWidget* file_ = nullptr;  ///< hidden while no layer is selected
     QWidget* facts_;
     QFormLayout* form_;
 };

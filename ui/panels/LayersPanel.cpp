@@ -44,7 +44,7 @@ QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget, const QColor& quiet) {
 
 QString layerSummary(const Layer& layer, bool isTarget) {
     QStringList parts;
-    QString role = toQt(name(layer.role));
+    QString role = said(name(layer.role));
     role[0] = role[0].toUpper();
     parts << role << (layer.unit ? toQt(symbol(*layer.unit)) : QObject::tr("unit not given"));
     if (layer.data) {

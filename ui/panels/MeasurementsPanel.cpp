@@ -32,7 +32,7 @@ QStringList methodsOf(const MeasuredScene& measured) {
 QString repeatsText(const MeasuredScene& measured, const std::string& object, const std::string& method) {
     for (const MeasuredLength& length : measured.lengths) {
         if (length.object != object || length.method != method) continue;
-        if (!length.length) return QString::fromStdString(length.note);
+        if (!length.length) return said(length.note);
         QStringList repeats;
         for (const double repeat : length.length->repeats_m)
             repeats << toQt(measuredText(repeat, length.length->expandedUncertainty_m).value);
@@ -95,8 +95,8 @@ MeasurementsPanel::MeasurementsPanel(Document& document, Selection& selection, N
     setContent(empty_, 1);
     setContent(repeats_);
     connect(model_, &MeasurementsModel::refused, &notices, &Notices::warned);
-    connect(methods_, &QComboBox::textActivated, this,
-            [this](const QString& method) { selection_.setMethod(method.toStdString()); });
+    connect(methods_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int index) { selection_.setMethod(methods_->itemData(index).toString().toStdString()); });
     connect(&document_, &Document::changed, this, [this] {
         fillMethods();
         follow();
@@ -139,17 +139,17 @@ void MeasurementsPanel::makeTable() {
 void MeasurementsPanel::fillMethods() {
     const QStringList methods = methodsOf(document_.measured());
     QStringList shown;
-    for (int i = 0; i < methods_->count(); ++i) shown << methods_->itemText(i);
+    for (int i = 0; i < methods_->count(); ++i) shown << methods_->itemData(i).toString();
     if (methods != shown) {
         methods_->clear();
-        methods_->addItems(methods);
+        for (const QString& method : methods) methods_->addItem(said(method.toStdString()), method);
     }
     methods_->setVisible(methods.size() > 1);
     const QString wanted = QString::fromStdString(selection_.method());
     if (!methods.isEmpty() && !methods.contains(wanted))
         selection_.setMethod(methods.front().toStdString());
     else
-        methods_->setCurrentText(wanted);
+        methods_->setCurrentIndex(methods_->findData(wanted));
 }
 
 void MeasurementsPanel::follow() {

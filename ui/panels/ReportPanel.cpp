@@ -87,12 +87,15 @@ ReportPanel::ReportPanel(Document& document, Notices& notices, Outputs& outputs,
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll, 1);
     auto* foot = new QHBoxLayout;
-    foot->setContentsMargins(12, 6, 12, 12);
+    foot->setContentsMargins(12, 6, 12, 8);
     foot->setSpacing(8);
-    foot->addWidget(buttonFor(actions["file.verify"]));
-    foot->addWidget(buttonFor(actions["export.csv"]));
-    foot->addWidget(report, 1);
+    foot->addWidget(buttonFor(actions["file.verify"]), 1);
+    foot->addWidget(buttonFor(actions["export.csv"]), 1);
     whole->addLayout(foot);
+    auto* last = new QHBoxLayout;
+    last->setContentsMargins(12, 0, 12, 12);
+    last->addWidget(report);
+    whole->addLayout(last);
 
     connect(missing_, &StepsList::chosen, this, &ReportPanel::stepWanted);
     connect(&written_->tree(), &QTreeWidget::itemActivated, this, [](QTreeWidgetItem* row) {

@@ -30,7 +30,9 @@ QString guideFile() {
     return {};
 }
 
-/// Pictures are as wide as the page at most.
+/// As wide as pictures are shown.
+constexpr int kPictures = 390;
+
 class GuideBrowser : public QTextBrowser {
   public:
     QVariant loadResource(int type, const QUrl& name) override {
@@ -38,10 +40,14 @@ class GuideBrowser : public QTextBrowser {
             return QTextBrowser::loadResource(type, name);
         QImageReader reader(folder_ + "/" + name.path());
         const QSize size = reader.size();
-        const int width = std::max(240, viewport()->width() - 40);
+        // The page may not have its width yet.
+        const double scale = devicePixelRatioF();
+        const int width = static_cast<int>(kPictures * scale);
         if (size.isValid() && size.width() > width)
-            reader.setScaledSize(size.scaled(width, 10'000, Qt::KeepAspectRatio));
-        return QVariant(reader.read());
+            reader.setScaledSize(size.scaled(width, 100'000, Qt::KeepAspectRatio));
+        QImage picture = reader.read();
+        picture.setDevicePixelRatio(scale);
+        return QVariant(picture);
     }
     void setFolder(const QString& folder) { folder_ = folder; }
 
@@ -120,7 +126,22 @@ void GuidePage::load() {
     if (!file.open(QIODevice::ReadOnly)) return;
     text_->document()->setDocumentMargin(6);
     text_->document()->setMarkdown(QString::fromUtf8(file.readAll()));
+    layOut();
     fillContents();
+    text_->moveCursor(QTextCursor::Start);
+}
+
+void GuidePage::layOut() {
+    QTextCursor cursor(text_->document());
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+        QTextBlockFormat format = block.blockFormat();
+        const bool heading = format.headingLevel() > 0;
+        format.setLineHeight(heading ? 100 : 130, QTextBlockFormat::ProportionalHeight);
+        format.setTopMargin(heading ? 16 : format.topMargin());
+        format.setBottomMargin(8);
+        cursor.setPosition(block.position());
+        cursor.setBlockFormat(format);
+    }
 }
 
 void GuidePage::fillContents() {

@@ -20,6 +20,8 @@ class GuidePage : public QWidget {
 
   private:
     void load();
+    /// Room between lines and paragraphs, which Markdown does not tell.
+    void layOut();
     void fillContents();
     void goTo(int block);
     void follow(const QUrl& link);

@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/ActionText.h"
 #include "ui/document/Document.h"
 #include "ui/document/Wording.h"
 
@@ -19,7 +20,7 @@ QPushButton* buttonFor(QAction& action, const QString& role) {
     button->setProperty("role", role);
     button->setFocusPolicy(Qt::TabFocus);
     const auto follow = [button, &action] {
-        const QString text = action.text().remove('&').remove(QChar(0x2026));
+        const QString text = withoutMnemonic(action.text());
         button->setText(button->fontMetrics().elidedText(text, Qt::ElideRight, 230));
         button->setToolTip(text + "\n" + action.statusTip());
         button->setEnabled(action.isEnabled());
@@ -55,7 +56,7 @@ HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* 
     addWidget(saved_);
     auto* right = new QWidget;
     auto* row = new QHBoxLayout(right);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(0, 0, 8, 0);
     row->setSpacing(8);
     row->addStretch(1);
     row->addWidget(buttonFor(actions["register.run"], "plain"));

@@ -18,6 +18,7 @@
 #include "ui/actions/reactions/ExchangeReactions.h"
 #include "ui/actions/reactions/ExportReactions.h"
 #include "ui/actions/reactions/FileReactions.h"
+#include "ui/actions/reactions/LanguageReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/SampleReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
@@ -81,7 +82,8 @@ struct MainWindow::Private {
           exports(bench),
           exchange(bench),
           sample(bench),
-          ofWindow(window, bench, *view) {}
+          ofWindow(window, bench, *view),
+          languages(bench) {}
 
     std::unique_ptr<ViewRenderer> renderer;
     std::unique_ptr<DocumentPrinter> printer;
@@ -116,6 +118,7 @@ struct MainWindow::Private {
     ExchangeReactions exchange;
     SampleReactions sample;
     WindowReactions ofWindow;
+    LanguageReactions languages;
     HeaderBar* header = nullptr;
     WorkArea* area = nullptr;
     StatusStrip* status = nullptr;

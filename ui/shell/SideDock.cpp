@@ -1,6 +1,8 @@
 #include "ui/shell/SideDock.h"
 
+#include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
@@ -15,8 +17,6 @@ SideDock::SideDock(const ActionCatalog& actions, Shortcuts& shortcuts, QWidget* 
     setObjectName("side-dock");
     setAccessibleName(tr("Help"));
     setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-    // The tabs say what it is; the title bar would say it again.
-    setTitleBarWidget(new QWidget);
     tabs_->setObjectName("help-tabs");
     tabs_->setDocumentMode(true);
     tabs_->setAccessibleName(tr("Help"));
@@ -29,8 +29,15 @@ SideDock::SideDock(const ActionCatalog& actions, Shortcuts& shortcuts, QWidget* 
     close->setToolTip(tr("Close (Esc)"));
     close->setAccessibleName(tr("Close help"));
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
-    tabs_->setCornerWidget(close);
-    setMinimumWidth(350);
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(12, 6, 6, 2);
+    auto* title = new QLabel(tr("Help"));
+    title->setProperty("role", "heading");
+    row->addWidget(title, 1);
+    row->addWidget(close);
+    setTitleBarWidget(bar);
+    setMinimumWidth(340);
     setWidget(tabs_);
 }
 

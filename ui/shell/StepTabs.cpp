@@ -28,15 +28,17 @@ WayStep StepTabs::stepOf(int tab) const {
 }
 
 void StepTabs::showStep(WayStep step) {
-    const int known = last_[static_cast<std::size_t>(step)];
-    if (known >= 0) return setCurrentIndex(known);
-    for (int tab = 0; tab < count(); ++tab)
-        if (stepOf(tab) == step) return setCurrentIndex(tab);
+    int wanted = last_[static_cast<std::size_t>(step)];
+    for (int tab = 0; tab < count() && wanted < 0; ++tab)
+        if (stepOf(tab) == step) wanted = tab;
+    if (wanted >= 0) setCurrentIndex(wanted);
 }
 
 void StepTabs::follow() {
     const int current = currentIndex();
-    if (current < 0) return;
+    // A tab bar chooses another tab by itself while tabs of it are hidden and shown.
+    if (current < 0 || following_) return;
+    following_ = true;
     const WayStep step = stepOf(current);
     last_[static_cast<std::size_t>(step)] = current;
     int shown = 0;
@@ -46,6 +48,8 @@ void StepTabs::follow() {
         if (isTabVisible(tab) != ofStep) setTabVisible(tab, ofStep);
     }
     tabBar()->setVisible(shown > 1);
+    if (currentIndex() != current) setCurrentIndex(current);
+    following_ = false;
     emit stepShown(step);
 }
 

@@ -25,6 +25,7 @@ class StepTabs : public QTabWidget {
     void follow();
 
     std::array<int, kWaySteps> last_;
+    bool following_ = false;
 };
 
 }  // namespace vestige

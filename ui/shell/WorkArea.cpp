@@ -61,7 +61,7 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     splitter->setStretchFactor(0, 0);
     splitter->setStretchFactor(1, 1);
     splitter->setStretchFactor(2, 0);
-    splitter->setSizes({240, 742, 418});
+    splitter->setSizes({252, 730, 418});
     column->addWidget(splitter, 1);
     connect(steps_, &StepBar::chosen, tabs_, &StepTabs::showStep);
     connect(tabs_, &StepTabs::stepShown, steps_, &StepBar::setShown);
@@ -70,6 +70,7 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     connect(&bench_.document, &Document::changed, this, [this] { follow(); });
     connect(&bench_.actions["file.new"], &QAction::triggered, this, [this] {
         begun_ = bench_.document.state().layers.empty();
+        if (begun_) tabs_->showStep(WayStep::import);
         follow();
     });
     follow();
@@ -117,7 +118,7 @@ QWidget* WorkArea::makeLeft() {
     auto* parts = columnIn(left);
     parts->addWidget(scroll, 1);
     parts->addWidget(history);
-    left->setMinimumWidth(190);
+    left->setMinimumWidth(215);
     return left;
 }
 
@@ -151,7 +152,10 @@ QWidget* WorkArea::makeRight() {
     auto* column = columnIn(measure, 4);
     column->setContentsMargins(0, 6, 0, 0);
     auto* table = new MeasurementsPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions);
-    connect(&tools_.measure(), &MeasureTool::objectCreated, table, &MeasurementsPanel::editName);
+    connect(&tools_.measure(), &MeasureTool::objectCreated, table, [this, table](const std::string& object) {
+        tabs_->showStep(WayStep::measure);
+        table->editName(object);
+    });
     column->addWidget(table, 1);
     column->addWidget(new AccuracyPanel(bench_.document, bench_.selection));
     auto* tabs = new StepTabs;

@@ -156,7 +156,7 @@ void MeasureTool::complete(const ProbedPick& second) {
     const bool created = document_.state().measurement(object) == nullptr;
     if (created) object = freeObjectName(document_.state());
     if (created) {
-        document_.begin(tr("pick %1, repeat 1").arg(QString::fromStdString(object)));
+        document_.begin(QString::fromStdString("pick " + object + ", repeat 1"));
         Measurement fresh;
         fresh.object = object;
         document_.perform(setMeasurement(std::move(fresh), "add " + object));

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/measurement/fit/SilhouetteFit.h"
+
 namespace vestige {
 namespace {
 
@@ -92,21 +94,40 @@ std::optional<LineFit> edgeAtSeed(const Neighbourhood& near) {
     const std::vector<PlaneFit> planes = findPlanes(near, 4);
     const double clear = std::max(1.2 * near.noise_m, 1.5 * near.spacing_m);
     std::optional<LineFit> best;
+    std::vector<PlaneFit> bounded;  // by the best edge
     double nearest = 0.5 * near.radius_m;
-    const auto consider = [&](const std::optional<LineFit>& line, double handicap) {
+    const auto consider = [&](const std::optional<LineFit>& line, const std::vector<PlaneFit>& of) {
         if (!line) return;
         const Eigen::Vector3d aside = line->point - near.view.dot(line->point) * near.view;
-        const double distance = handicap + aside.norm() + 0.3 * std::abs(near.view.dot(line->point));
+        const double distance = aside.norm() + 0.3 * std::abs(near.view.dot(line->point));
         if (distance >= nearest) return;
         nearest = distance;
         best = line;
+        bounded = of;
     };
     for (std::size_t i = 0; i < planes.size(); ++i)
         for (std::size_t j = i + 1; j < planes.size(); ++j)
-            consider(creaseOf(near, planes[i], planes[j], clear), 0);
+            consider(creaseOf(near, planes[i], planes[j], clear), {planes[i], planes[j]});
     // A crease lies better than a boundary: its planes have all the points.
-    if (best) return best;
-    for (const PlaneFit& plane : planes) consider(boundaryOf(near, plane, clear), 0);
+    if (!best)
+        for (const PlaneFit& plane : planes) {
+            const auto rough = boundaryOf(near, plane, clear);
+            if (!rough) continue;
+            // What lies beside the end, the flank of a box, bends a plane that is fitted to all.
+            const double noise = std::max(near.noise_m, 0.05 * near.spacing_m);
+            const Eigen::Vector3d out = outwardsOf(near, plane, rough->point, rough->direction, clear, noise);
+            const auto own = refinePlane(sideOf(near, plane, rough->point, out, clear, noise), plane, noise);
+            if (!own) continue;
+            consider(boundaryOf(near, *own, clear), {*own});
+        }
+    if (!best) return best;
+    // Beams that pass along the edge see where a surface ends sharper than either.
+    for (const PlaneFit& plane : bounded) {
+        const auto sharp = silhouetteOf(near, plane, *best);
+        const Eigen::Vector3d aside =
+            sharp ? Eigen::Vector3d(sharp->point - best->point) : Eigen::Vector3d::Zero();
+        if (sharp && aside.norm() < 0.25 * near.radius_m) return sharp;
+    }
     return best;
 }
 

@@ -1,5 +1,6 @@
 #include "core/measurement/fit/Neighbourhood.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +15,7 @@ bool isClipped(const std::vector<ClipPlane>& clips, const Eigen::Vector3d& world
 }  // namespace
 
 double snapRadius_m(double sensorNoise_m, double localSpacing_m) {
-    return std::max(6 * sensorNoise_m, 8 * localSpacing_m);
+    return std::max(8 * sensorNoise_m, 8 * localSpacing_m);
 }
 
 Neighbourhood Neighbourhood::within(const Eigen::Vector3d& centre, double radius) const {
@@ -24,6 +25,17 @@ Neighbourhood Neighbourhood::within(const Eigen::Vector3d& centre, double radius
         return (point.position - centre).squaredNorm() > radius * radius;
     });
     return part;
+}
+
+double Neighbourhood::blur_m(const FitPoint& point, const Eigen::Vector3d& direction) const {
+    if (point.range_m <= 0) return noise_m;
+    constexpr double kHalfPower = 2.354820045;  // standard deviations in a Gaussian's width at half power
+    const Eigen::Vector3d level = point.beam.cross(Eigen::Vector3d::UnitZ()).normalized();
+    const Eigen::Vector3d upright = level.cross(point.beam);
+    const double range = noise_m * point.beam.dot(direction);
+    const double aside = point.range_m / kHalfPower * spotLevel_rad * level.dot(direction);
+    const double above = point.range_m / kHalfPower * spotUpright_rad * upright.dot(direction);
+    return std::sqrt(range * range + aside * aside + above * above);
 }
 
 Result<Neighbourhood> neighbourhoodOf(const SnapRequest& request, double widening) {
@@ -48,15 +60,22 @@ Result<Neighbourhood> neighbourhoodOf(const SnapRequest& request, double widenin
 
     const PointAttributes& attributes = cloud.attributes();
     found.hasEnergy = !attributes.intensity.empty();
-    found.hasTime = !attributes.gpsTime.empty();
-    const double start = found.hasTime && !neighbours.empty() ? attributes.gpsTime[neighbours[0].point] : 0;
+    found.hasBeams = request.path && request.path->size() == cloud.size();
+    found.spotUpright_rad = request.spotUpright_rad;
+    found.spotLevel_rad = request.spotLevel_rad;
     found.points.reserve(neighbours.size());
     for (const Octree::Neighbour& neighbour : neighbours) {
         const Eigen::Vector3d world = request.sceneFromLayer * cloud.point(neighbour.point);
         if (isClipped(request.clips, world)) continue;
-        FitPoint point{world - request.seed, 1, 0};
+        FitPoint point{.position = world - request.seed};
         if (found.hasEnergy) point.energy = static_cast<double>(attributes.intensity[neighbour.point]);
-        if (found.hasTime) point.time_s = attributes.gpsTime[neighbour.point] - start;
+        if (found.hasBeams) {
+            if (const auto from = request.path->at(request.path->timeOf(neighbour.point))) {
+                const Eigen::Vector3d beam = world - request.sceneFromLayer * *from;
+                point.range_m = beam.norm();
+                point.beam = beam / point.range_m;
+            }
+        }
         found.points.push_back(point);
     }
     if (found.points.empty()) return fail(ErrorCode::input, "there are no points round the pick");

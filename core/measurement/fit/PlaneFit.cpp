@@ -104,7 +104,7 @@ std::optional<PlaneFit> refinePlane(std::span<const FitPoint> points, const Plan
             scatter += weights[i] * d * d.transpose();
         }
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-        if (solver.eigenvalues()[1] < 4 * solver.eigenvalues()[0]) return std::nullopt;
+        if (solver.eigenvalues()[1] < 1.5 * solver.eigenvalues()[0]) return std::nullopt;
         const Eigen::Vector3d before = plane.normal;
         plane.centre = mean;
         plane.normal = solver.eigenvectors().col(0);
@@ -168,25 +168,34 @@ std::vector<PlaneFit> findPlanes(const Neighbourhood& near, std::size_t most, do
 }
 
 std::optional<PlaneFit> planeAtSeed(const Neighbourhood& near) {
+    const double noise = std::max(near.noise_m, 0.05 * near.spacing_m);
     std::optional<PlaneFit> best;
     double most = 0;
-    for (const PlaneFit& plane : findPlanes(near, 4)) {
-        if (std::abs(plane.distance(Eigen::Vector3d::Zero())) > 3 * near.noise_m + near.spacing_m) continue;
-        // Where the view meets it, or the foot from the seed where it is seen at a grazing angle.
-        const double slant = plane.normal.dot(near.view);
-        Eigen::Vector3d place = plane.project(Eigen::Vector3d::Zero());
-        if (std::abs(slant) > 0.2) place = plane.distance(Eigen::Vector3d::Zero()) / -slant * near.view;
-        double sum = 0;
-        for (const FitPoint& point : near.points)
-            if ((point.position - place).norm() < 0.5 * near.radius_m)
-                sum += tukeyWeight(plane.distance(point.position), std::max(plane.rms, 1e-9));
-        if (sum <= most) continue;
-        most = sum;
-        best = plane;
+    // A small thing has no room for the whole radius: its own plane is found in half of it. The larger one is
+    // the surer where both say the same.
+    for (const double share : {1.0, 0.5}) {
+        const Neighbourhood part =
+            share < 1 ? near.within(Eigen::Vector3d::Zero(), share * near.radius_m) : near;
+        for (const PlaneFit& found : findPlanes(part, 4)) {
+            const auto plane = refinePlane(part.points, found, noise);
+            if (!plane) continue;
+            // Where the view meets it, or the foot from the seed where it is seen at a grazing angle.
+            const double slant = plane->normal.dot(near.view);
+            const double away = plane->distance(Eigen::Vector3d::Zero());
+            Eigen::Vector3d place = plane->project(Eigen::Vector3d::Zero());
+            if (std::abs(slant) > 0.2) place = away / -slant * near.view;
+            const double off = std::abs(away) / (1.5 * noise + 0.5 * near.spacing_m);
+            double sum = 0;
+            for (const FitPoint& point : near.points)
+                if ((point.position - place).norm() < 0.3 * near.radius_m)
+                    sum += tukeyWeight(plane->distance(point.position), noise);
+            sum *= std::exp(-0.5 * off * off) * (share < 1 ? 0.8 : 1);
+            if (sum <= most) continue;
+            most = sum;
+            best = plane;
+        }
     }
-    if (!best) return std::nullopt;
-    // Its own points once more, those that the search had given to a stronger plane included.
-    return refinePlane(near.points, *best, std::max(near.noise_m, 0.05 * near.spacing_m));
+    return best;
 }
 
 }  // namespace vestige

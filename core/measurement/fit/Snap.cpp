@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/measurement/fit/CircleFit.h"
 #include "core/measurement/fit/EdgeFit.h"
 #include "core/measurement/fit/PlaneFit.h"
 #include "core/measurement/fit/PointFits.h"
@@ -26,6 +27,7 @@ Result<FittedFeature> plane(const Neighbourhood& near) {
     // Where the line of sight meets it, unless the plane is seen too much from the side for that.
     if (std::abs(slant) > 0.3) feature.position = fit->distance(Eigen::Vector3d::Zero()) / -slant * near.view;
     feature.axis = slant > 0 ? Eigen::Vector3d(-fit->normal) : fit->normal;
+    feature.axisUncertainty = std::sqrt(std::max(fit->variance[0], fit->variance[1]));
     const double aside = near.spacing_m * near.spacing_m / 12;
     feature.covariance = aside * Eigen::Matrix3d::Identity() +
                          (fit->varianceAt(feature.position) - aside) * fit->normal * fit->normal.transpose();
@@ -40,7 +42,23 @@ Result<FittedFeature> edge(const Neighbourhood& near) {
     FittedFeature feature{.mode = SnapMode::edge};
     feature.position = fit->point;
     feature.axis = fit->direction;
+    feature.axisUncertainty = fit->slope;
     feature.covariance = fit->covariance;
+    feature.rms = fit->rms;
+    feature.inliers = fit->inliers;
+    return feature;
+}
+
+Result<FittedFeature> circle(const Neighbourhood& near) {
+    const auto fit = circleAtSeed(near);
+    if (!fit) return none("circle", near);
+    FittedFeature feature{.mode = SnapMode::circle};
+    feature.position = fit->centre;
+    feature.axis = fit->axis.dot(near.view) > 0 ? Eigen::Vector3d(-fit->axis) : fit->axis;
+    feature.axisUncertainty = fit->axisUncertainty;
+    feature.covariance = fit->covariance;
+    feature.radius = fit->radius;
+    feature.radiusUncertainty = fit->radiusUncertainty;
     feature.rms = fit->rms;
     feature.inliers = fit->inliers;
     return feature;
@@ -68,7 +86,7 @@ Result<FittedFeature> fitAt(const Neighbourhood& near, SnapMode mode) {
         case SnapMode::edge:
             return edge(near);
         case SnapMode::circle:
-            return none("circle", near);
+            return circle(near);
         case SnapMode::point:
         case SnapMode::corner:
         case SnapMode::highest:
@@ -89,7 +107,8 @@ Result<FittedFeature> snapFeature(const SnapRequest& request, SnapMode mode) {
         return feature;
     }
     return guarded("fitting", [&]() -> Result<FittedFeature> {
-        const auto near = neighbourhoodOf(request);
+        // A circle is wider than what is needed for a plane: a wheel has its rim about the pick.
+        const auto near = neighbourhoodOf(request, mode == SnapMode::circle && request.radius_m <= 0 ? 3 : 1);
         if (!near) return fail(near.error());
         auto feature = fitAt(*near, mode);
         if (feature) feature->position += request.seed;

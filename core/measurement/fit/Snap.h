@@ -8,6 +8,7 @@
 #include "core/geometry/Picking.h"
 #include "core/geometry/Pose.h"
 #include "core/measurement/FittedFeature.h"
+#include "core/measurement/fit/ScannerPath.h"
 
 namespace vestige {
 
@@ -18,7 +19,12 @@ struct SnapRequest {
     Eigen::Vector3d seed = Eigen::Vector3d::Zero();             ///< the point picked; scene, m
     Eigen::Vector3d viewDirection = -Eigen::Vector3d::UnitZ();  ///< unit, from the eye to the seed
     double sensorNoise_m = 0;                                   ///< of a single point, 1 sigma
-    double radius_m = 0;           ///< of the neighbourhood; 0: from noise and spacing
+    double radius_m = 0;  ///< of the neighbourhood; 0: from noise and spacing
+    /// Of the layer's points, where it could be recovered: noise then has a direction, and edges are read
+    /// from the beams that see them sharply.
+    const ScannerPath* path = nullptr;
+    double spotUpright_rad = 0;  ///< full width of the beam at half power, upright and level
+    double spotLevel_rad = 0;
     std::vector<ClipPlane> clips;  ///< what they cut away is not fitted to
 };
 
@@ -32,7 +38,7 @@ struct SnapRequest {
 Result<FittedFeature> snapFeature(const SnapRequest& request, SnapMode mode);
 
 /// The radius that is taken where a request gives none: so wide that noise averages out and that there are
-/// points enough, 6 times the noise or 8 times the spacing, whichever is larger.
+/// points enough, 8 times the noise or the spacing, whichever is larger.
 double snapRadius_m(double sensorNoise_m, double localSpacing_m);
 
 }  // namespace vestige

@@ -91,29 +91,43 @@ bool samePlace(const SceneState& scene, const PickedPoint& a, const PickedPoint&
     return a.layer == b.layer && (scenePosition(scene, a) - scenePosition(scene, b)).norm() <= 1e-7;
 }
 
-template <class Repeat>
-bool addOnce(std::vector<Repeat>& repeats, Repeat repeat, const auto& same) {
-    const auto equal = [&](const Repeat& other) { return same(other, repeat); };
-    if (std::any_of(repeats.begin(), repeats.end(), equal)) return false;
+/// Which repeats of the case a list has named already: of several that lie on one place, each counts once.
+using Named = std::map<std::tuple<std::string, std::string, bool>, std::vector<bool>>;
+
+/// False where the case has it.
+template <class Repeat, class Same>
+bool addUnknown(std::vector<Repeat>& repeats, Repeat repeat, std::vector<bool>& named, const Same& same) {
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        if (named[i] || !same(repeats[i], repeat)) continue;
+        named[i] = true;
+        return false;
+    }
     repeats.push_back(std::move(repeat));
     return true;
 }
 
-bool add(const SceneState& scene, Measurement& measurement, const std::string& key, bool ofPath,
-         const Gathered& gathered) {
+bool add(const SceneState& scene, Measurement& measurement, const Place& where, const Gathered& gathered,
+         Named& named) {
+    const auto& [object, key, ofPath, repeat] = where;
+    const auto known = [&](std::size_t count) -> std::vector<bool>& {
+        return named.try_emplace({object, key, ofPath}, count, false).first->second;
+    };
     if (!ofPath) {
-        const auto same = [&](const PickedPair& p, const PickedPair& q) {
-            return samePlace(scene, p.a, q.a) && samePlace(scene, p.b, q.b);
-        };
-        return addOnce(measurement.picks[key], PickedPair{gathered.ends.at(0), gathered.ends.at(1)}, same);
+        auto& pairs = measurement.picks[key];
+        return addUnknown(pairs, PickedPair{gathered.ends.at(0), gathered.ends.at(1)}, known(pairs.size()),
+                          [&](const PickedPair& p, const PickedPair& q) {
+                              return samePlace(scene, p.a, q.a) && samePlace(scene, p.b, q.b);
+                          });
     }
     PickedPath path;
     for (const auto& [corner, point] : gathered.ends) path.push_back(point);
-    const auto same = [&](const PickedPath& p, const PickedPath& q) {
-        return std::equal(p.begin(), p.end(), q.begin(), q.end(),
-                          [&](const PickedPoint& a, const PickedPoint& b) { return samePlace(scene, a, b); });
-    };
-    return addOnce(measurement.paths[key], std::move(path), same);
+    auto& paths = measurement.paths[key];
+    return addUnknown(
+        paths, std::move(path), known(paths.size()), [&](const PickedPath& p, const PickedPath& q) {
+            return std::equal(
+                p.begin(), p.end(), q.begin(), q.end(),
+                [&](const PickedPoint& a, const PickedPoint& b) { return samePlace(scene, a, b); });
+        });
 }
 
 }  // namespace
@@ -142,6 +156,7 @@ Result<ImportedPicks> importPicks(const SceneState& scene, std::span<const Liste
         labelled ? gatherLabelled(scene, points, place) : gatherPairs(scene, points, target, place);
     if (!repeats) return fail(repeats.error());
     ImportedPicks imported;
+    Named named;
     for (const auto& [where, gathered] : *repeats) {
         const auto& [object, key, ofPath, repeat] = where;
         const auto named = [&object = object](const Measurement& m) { return m.object == object; };
@@ -154,7 +169,7 @@ Result<ImportedPicks> importPicks(const SceneState& scene, std::span<const Liste
             imported.changed.push_back(known ? *known : std::move(fresh));
             found = imported.changed.end() - 1;
         }
-        ++(add(scene, *found, key, ofPath, gathered) ? imported.repeats : imported.known);
+        ++(add(scene, *found, where, gathered, named) ? imported.repeats : imported.known);
     }
     return imported;
 }

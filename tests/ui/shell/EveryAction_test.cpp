@@ -60,6 +60,8 @@ class EveryAction : public test::ShellWindow {
         box.aims["lidar"] = {{{"side", {10, 10}, {scene.target}}, {"side", {20, 10}, {scene.target}}}};
         document.perform(setView("side", driver->window().view().camera()));
         document.perform(setMeasurement(box, "measure Box"));
+        for (const Measurement& other : std::vector<Measurement>(scene.measurements))
+            if (other.object != box.object) document.perform(removeMeasurement(other.object));
         auto& table = widget<QTableView>("measurements");
         table.clearSelection();
         table.setCurrentIndex({});

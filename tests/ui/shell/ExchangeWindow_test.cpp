@@ -41,7 +41,7 @@ TEST_F(ExchangeWindow, PicksGoOutAndComeBackInOneStep) {
     EXPECT_TRUE(driver->scene().measurements.empty());
     ASSERT_TRUE(driver->trigger("edit.redo"));
     ASSERT_TRUE(driver->trigger("file.import-picks"));
-    EXPECT_EQ(notice(), "The case has all of these picks already.");
+    EXPECT_EQ(notice().toStdString(), "The case has all of these picks already.");
 }
 
 TEST_F(ExchangeWindow, AListOfPlainPointsIsTakenForTheSelectedLayer) {
@@ -52,7 +52,7 @@ TEST_F(ExchangeWindow, AListOfPlainPointsIsTakenForTheSelectedLayer) {
     ASSERT_EQ(driver->scene().measurements.size(), 1u);
     EXPECT_EQ(driver->scene().measurements[0].picks.at("yard").size(), 2u);
     EXPECT_NEAR(driver->window().document().measured().lengths[0].length->mean_m, 2.0, 1e-12);
-    EXPECT_EQ(notice(), "2 repeats of Length 1 were taken.");
+    EXPECT_EQ(notice().toStdString(), "2 repeats of Length 1 were taken.");
 }
 
 TEST_F(ExchangeWindow, AWrongListIsRefusedWithItsLine) {
@@ -69,13 +69,14 @@ TEST_F(ExchangeWindow, AWrongListIsRefusedWithItsLine) {
 
 TEST_F(ExchangeWindow, MeasurementsThatWereWrittenReadBackAsTapeValues) {
     startLoaded();
+    ASSERT_TRUE(driver->trigger("register.run"));
     pickBox(3);
     driver->typeInto(0, 1, "2.004");
     const std::string object = driver->scene().measurements[0].object;
     driver->answers().csv = driver->answers().table = path("measurements.csv");
     ASSERT_TRUE(driver->trigger("export.csv"));
     ASSERT_TRUE(driver->trigger("file.import-measurements"));
-    EXPECT_EQ(notice(), "The case has all of these values already.");
+    EXPECT_EQ(notice().toStdString(), "The case has all of these values already.");
     ASSERT_TRUE(driver->trigger("file.new"));
     ASSERT_TRUE(driver->trigger("file.import-measurements"));
     ASSERT_EQ(driver->scene().measurements.size(), 1u);

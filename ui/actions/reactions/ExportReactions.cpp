@@ -38,7 +38,7 @@ void ExportReactions::exportReport(const std::filesystem::path& folder) {
             QString sentence = tr("The report and %1 files are in %2.")
                                    .arg(made->outputs.size())
                                    .arg(toQt(folder.filename()));
-            if (!made->warnings.empty()) sentence += " " + QString::fromStdString(made->warnings.front());
+            if (!made->warnings.empty()) sentence += " " + said(made->warnings.front());
             bench_.notices.informOf(sentence, toQt(folder));
         });
 }

@@ -100,6 +100,21 @@ TEST(PickExchange, NothingIsTakenTwice) {
         EXPECT_EQ(measurement.picks, scene.measurement(measurement.object)->picks) << measurement.object;
 }
 
+TEST(PickExchange, RepeatsOnTheSamePlaceAllCount) {
+    SceneState scene = test::sampleScene();
+    Measurement twice;
+    twice.object = "Twice";
+    const PickedPair pair{pickAt(scene, "aerial", {0, 0, 0}), pickAt(scene, "aerial", {1, 0, 0})};
+    twice.picks["aerial"] = {pair, pair};
+    scene.measurements = {twice};
+    const std::string csv = picksCsv(scene);
+    EXPECT_EQ(imported(scene, csv).known, 2u);
+    scene.measurements[0].picks["aerial"].pop_back();
+    EXPECT_EQ(imported(scene, csv).repeats, 1u);
+    scene.measurements.clear();
+    EXPECT_EQ(imported(scene, csv).changed[0].picks.at("aerial").size(), 2u);
+}
+
 TEST(PickExchange, PlainPointsArePairsOfTheTarget) {
     const SceneState scene = test::sampleScene();
     const ImportedPicks picks =
