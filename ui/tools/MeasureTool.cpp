@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 
 #include "core/scene/Edits.h"
+#include "core/scene/MeasuredScene.h"
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
 #include "ui/document/PickChoices.h"
@@ -163,7 +164,8 @@ void MeasureTool::complete(const ProbedPick& second) {
     }
     document_.perform(addPick(object, pair.a.layer, pair));
     if (created) document_.end();
-    selection_.setMethod(methodOfKey(document_.state(), pair.a.layer));
+    const std::string method = methodOfKey(document_.state(), pair.a.layer);
+    selection_.setMethod(pair.a.fitted || pair.b.fitted ? fittedMethod(method) : method);
     selection_.setObject(object);
     const auto& held = document_.state().measurement(object)->picks;
     if (const auto pairs = held.find(pair.a.layer); pairs != held.end())
