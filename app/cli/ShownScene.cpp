@@ -149,6 +149,7 @@ Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, const
             hideUnplaced(*scene, session);
         }
         ViewDescription view = describeView(*scene, ColorMode::height, overlay);
+        if (isCase) hideObjects(view, *scene);
         view.colorMode = colorOf(view, color);
         if (!isCase && overlay == Overlay::residual) addResiduals(view, *scene);
         if (isCase) view.marks = marksOf(*scene, control);

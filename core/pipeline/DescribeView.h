@@ -12,6 +12,9 @@ namespace vestige {
 ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay,
                              bool before = false, const JobControl& control = {});
 
+/// Leaves the objects out that the case hides; for pictures without a window, which keeps track of them.
+void hideObjects(ViewDescription& view, const SceneState& scene);
+
 /// Marks for the measured lengths (mean ends of the repeats), for `describeView(...).marks`.
 std::vector<ViewMark> measurementMarks(const SceneState& scene, const MeasuredScene& measured);
 

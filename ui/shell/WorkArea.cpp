@@ -5,17 +5,21 @@
 #include <QTabWidget>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/reactions/CleaningReactions.h"
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
 #include "ui/panels/AccuracyPanel.h"
 #include "ui/panels/AlignPanel.h"
+#include "ui/panels/CleanPanel.h"
 #include "ui/panels/EvidencePanel.h"
 #include "ui/panels/FitPanel.h"
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/MeasurementsPanel.h"
 #include "ui/panels/ObjectsPanel.h"
+#include "ui/panels/PartsPanel.h"
 #include "ui/panels/RegistrationStrip.h"
 #include "ui/panels/ViewsPanel.h"
+#include "ui/shell/CleaningTools.h"
 #include "ui/shell/CompareBar.h"
 #include "ui/shell/NoticeBar.h"
 #include "ui/shell/ToolPalette.h"
@@ -58,6 +62,11 @@ void WorkArea::addBar(QWidget* bar) {
     column_->insertWidget(0, bar);
 }
 
+void WorkArea::follow(CleaningTools& tools, CleaningReactions& reactions) {
+    connect(&tools, &CleaningTools::hintChanged, area_, &ViewArea::setHint);
+    connect(&reactions, &CleaningReactions::objectMade, parts_, &PartsPanel::editName);
+}
+
 QWidget* WorkArea::makeLeft() {
     auto* content = new QWidget;
     content->setObjectName("panel-content");
@@ -65,6 +74,8 @@ QWidget* WorkArea::makeLeft() {
     column->setContentsMargins(0, 6, 0, 10);
     column->addWidget(new LayersPanel(bench_.document, bench_.selection));
     column->addWidget(new ObjectsPanel(bench_.document, bench_.selection));
+    parts_ = new PartsPanel(bench_.document, bench_.points, bench_.actions);
+    column->addWidget(parts_);
     column->addWidget(new EvidencePanel(bench_.document, bench_.evidence));
     column->addWidget(new ViewsPanel(bench_.actions));
     column->addStretch(1);
@@ -80,7 +91,7 @@ QWidget* WorkArea::makeLeft() {
 QWidget* WorkArea::makeMiddle() {
     auto* middle = new QWidget;
     auto* column = columnIn(middle);
-    auto* area = new ViewArea;
+    auto* area = area_ = new ViewArea;
     area->setView(view_.widget());
     connect(area, &ViewArea::arranged, &view_, [this, area] { view_.setCovered(area->covered()); });
     area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
@@ -115,9 +126,12 @@ QWidget* WorkArea::makeRight() {
         new FitPanel({bench_.document, bench_.selection, bench_.attempts, bench_.trace, bench_.preview},
                      bench_.actions),
         tr("Fit"));
+    tabs->addTab(new CleanPanel(bench_.document, bench_.selection, bench_.points, bench_.cleaning,
+                                bench_.notices, bench_.actions),
+                 tr("Clean"));
     tabs->setMinimumWidth(340);
     for (const auto& [id, index] : {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),
-                                    std::pair("view.panel-fit", 2)})
+                                    std::pair("view.panel-fit", 2), std::pair("view.panel-clean", 3)})
         bench_.actions.onTriggered(id, [tabs, index = index] { tabs->setCurrentIndex(index); });
     return tabs;
 }

@@ -9,8 +9,12 @@ class QVBoxLayout;
 
 namespace vestige {
 
+class CleaningReactions;
+class CleaningTools;
 class SceneView;
+class PartsPanel;
 class ToolSwitch;
+class ViewArea;
 
 /// The middle of the window: case at the left, view with registration strip, measurements and alignment at
 /// the right, the notice above.
@@ -22,6 +26,8 @@ class WorkArea : public QWidget {
 
     /// One more above the view.
     void addBar(QWidget* bar);
+    /// Shows the hints of lasso and box, and lets the name of a new part be typed.
+    void follow(CleaningTools& tools, CleaningReactions& reactions);
 
   signals:
     /// A recent file was chosen.
@@ -36,6 +42,8 @@ class WorkArea : public QWidget {
     SceneView& view_;
     ToolSwitch& tools_;
     QVBoxLayout* column_ = nullptr;
+    ViewArea* area_ = nullptr;
+    PartsPanel* parts_ = nullptr;
 };
 
 }  // namespace vestige

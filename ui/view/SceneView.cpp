@@ -135,13 +135,19 @@ struct SceneView::Private {
         if (!frameTimer.isActive()) frameTimer.start(0);
     }
 
+    /// Null where the flags are of other points than the octree's, for the moment.
+    const std::vector<std::uint8_t>* hiddenOf(std::size_t layer) const {
+        const auto& hidden = description.layers[layer].hidden;
+        return hidden && hidden->size() == octrees[layer]->cloud().size() ? hidden.get() : nullptr;
+    }
+
     std::optional<Pick> pick(const QPoint& position, double radius_px) const {
         std::vector<PickLayer> layers;
         const std::size_t count = std::min(octrees.size(), description.layers.size());
         for (std::size_t i = 0; i < count; ++i)
             if (octrees[i] && description.layers[i].visible)
-                layers.push_back(
-                    {static_cast<std::uint32_t>(i), octrees[i].get(), description.layers[i].worldFromLayer});
+                layers.push_back({static_cast<std::uint32_t>(i), octrees[i].get(),
+                                  description.layers[i].worldFromLayer, hiddenOf(i)});
         PickOptions options;
         options.radius_px = radius_px;
         return pickPoint(layers, camera, {position.x() + 0.5, position.y() + 0.5}, options);
@@ -283,6 +289,8 @@ bool SceneView::offerTo(ViewTool& tool, QEvent& event) {
             return tool.mouseMove(*this, static_cast<QMouseEvent&>(event));
         case QEvent::MouseButtonRelease:
             return tool.mouseRelease(*this, static_cast<QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick:
+            return tool.mouseDoubleClick(*this, static_cast<QMouseEvent&>(event));
         default:
             return false;
     }
@@ -309,6 +317,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Wheel:
             break;
         case QEvent::MouseButtonDblClick:
+            offer(d_->tool);
             return true;
         default:
             return false;

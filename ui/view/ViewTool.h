@@ -17,6 +17,8 @@ class ViewTool {
     virtual bool mousePress(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseMove(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseRelease(SceneView&, const QMouseEvent&) { return false; }
+    /// The second press of a double click, in the place of mousePress.
+    virtual bool mouseDoubleClick(SceneView&, const QMouseEvent&) { return false; }
     virtual bool keyPress(SceneView&, const QKeyEvent&) { return false; }
 };
 
