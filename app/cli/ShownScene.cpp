@@ -148,6 +148,7 @@ Result<ShownScene> shownScene(const std::vector<std::string>& inputs, const File
             hideUnplaced(*scene, session);
         }
         ViewDescription view = describeView(*scene, ColorMode::height, overlay);
+        if (isCase) hideObjects(view, *scene);
         view.colorMode = colorOf(view, color);
         if (!isCase && overlay == Overlay::residual) addResiduals(view, *scene);
         if (isCase) view.marks = marksOf(*scene, control);

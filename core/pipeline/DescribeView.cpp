@@ -1,6 +1,8 @@
 #include "core/pipeline/DescribeView.h"
 
+#include "core/pipeline/PointFlags.h"
 #include "core/pipeline/TargetDistances.h"
+#include "core/scene/Cleaning.h"
 
 namespace vestige {
 namespace {
@@ -50,6 +52,17 @@ ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overl
         view.layers.push_back(std::move(shown));
     }
     return view;
+}
+
+void hideObjects(ViewDescription& view, const SceneState& scene) {
+    for (ViewLayer& shown : view.layers) {
+        const Layer* layer = scene.layer(shown.id);
+        if (!layer || !layer->data) continue;
+        std::vector<const PointSet*> sets;
+        const auto hidden = hiddenSets(scene, *layer);
+        for (const auto& set : hidden) sets.push_back(set.get());
+        shown.hidden = pointFlags(*layer->data, sets);
+    }
 }
 
 }  // namespace vestige

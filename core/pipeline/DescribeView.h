@@ -16,6 +16,9 @@ ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overl
 /// system, or it is an aerial cloud with coordinates of a map grid (10 km and more from its origin).
 bool knowsNorth(const SceneState& scene);
 
+/// Leaves the objects out that the case hides; for pictures without a window, which keeps track of them.
+void hideObjects(ViewDescription& view, const SceneState& scene);
+
 /// Marks for the measured lengths (mean ends of the repeats), for `describeView(...).marks`.
 std::vector<ViewMark> measurementMarks(const SceneState& scene, const MeasuredScene& measured);
 

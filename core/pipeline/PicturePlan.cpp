@@ -112,6 +112,7 @@ class Planner {
 
     void overviews() {
         ViewDescription view = describeView(scene_, ColorMode::height, Overlay::none);
+        hideObjects(view, scene_);
         keepLayers(view, placedLayers(scene_));
         if (view.layers.empty()) return;
         view.camera = frameView(view, NamedView::perspective, kWidth, kHeight);

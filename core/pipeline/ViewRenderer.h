@@ -66,6 +66,9 @@ struct ViewLayer {
     bool visible = true;
     bool isTarget = false;  ///< what the others are registered to; for Overlay::registration
     std::optional<ViewSide> other = std::nullopt;  ///< in the other picture; nothing: the same
+    /// Per point, not 0: drawn in the colour of what is selected; neither drawn nor picked. Null: none.
+    std::shared_ptr<const std::vector<std::uint8_t>> selected = nullptr;
+    std::shared_ptr<const std::vector<std::uint8_t>> hidden = nullptr;
 };
 
 /// A measured pair drawn into the view with its length.

@@ -21,6 +21,12 @@ bool withFit(const Situation& s) {
 bool whenComparable(const Situation& s) {
     return s.registrable > 0;
 }
+bool withPoints(const Situation& s) {
+    return s.pointsSelected && !s.busy;
+}
+bool withPart(const Situation& s) {
+    return s.partSelected && !s.busy;
+}
 bool withObject(const Situation& s) {
     return s.objectSelected;
 }
@@ -138,6 +144,40 @@ const std::vector<ActionSpec>& actionTable() {
          "End the comparison, the replay or the preview.", "plain-view", "Esc",
          [](const Situation& s) { return s.comparing || s.previewing; }, false, "", true},
 
+        {"tool.lasso", "C&lean", "&Lasso", "Select points by an outline drawn over the view.", "lasso", "T",
+         withLayers, true, "tool"},
+        {"tool.box-select", "C&lean", "&Box", "Select points by a rectangle drawn over the view.",
+         "box-select", "Shift+T", withLayers, true, "tool"},
+        {"clean.outliers", "C&lean", "Find &outliers",
+         "Select the points that lie apart from all others, of the selected layer or of all that are shown.",
+         "outliers", "", idleWithLayers, false, "", true},
+        {"clean.ground", "C&lean", "Find &ground",
+         "Select the surface that everything stands on, of the selected layer or else the target.", "ground",
+         "", idleWithLayers},
+        {"clean.objects", "C&lean", "&Separate objects",
+         "List what stands on the ground as objects: vehicles, debris, poles.", "objects", "",
+         idleWithLayers},
+        {"clean.remove", "C&lean", "&Remove",
+         "Take the selected points out of the scene; the file keeps them.", "remove-points", "Del",
+         withPoints, false, "", true},
+        {"clean.keep", "C&lean", "&Keep only", "Take everything else of these layers out of the scene.",
+         "keep-points", "", withPoints},
+        {"clean.make-object", "C&lean", "&Make object", "Name the selected points as an object of the scene.",
+         "make-object", "", withPoints},
+        {"clean.invert", "C&lean", "&Invert selection", "Select what is shown and not selected.", "invert",
+         "", idleWithLayers},
+        {"clean.clear", "C&lean", "&Clear selection", "Select nothing.", "clear", "Ctrl+Shift+A",
+         [](const Situation& s) { return s.pointsSelected; }},
+        {"clean.restore", "C&lean", "Bring &back removed points",
+         "Forget the cleaning of the selected layer, or of all.", "restore", "",
+         [](const Situation& s) { return s.cleaned && !s.busy; }},
+        {"part.select", "C&lean", "Select &points of the part",
+         "Select the points of the chosen part of the scene.", "part-select", "", withPart, false, "", true},
+        {"part.zoom", "C&lean", "Look &at the part", "Fill the view with the chosen part of the scene.",
+         "part-zoom", "", withPart},
+        {"part.remove", "C&lean", "&Forget the part",
+         "Take the chosen part out of the list; its points stay.", "part-remove", "", withPart},
+
         {"measure.aims", "&Measure", "Take recorded &aims",
          "Resolve the clicks that the case recorded into picks.", "aims", "",
          [](const Situation& s) { return !s.busy && s.hasAims && s.loadedLayers > 0; }},
@@ -189,6 +229,8 @@ const std::vector<ActionSpec>& actionTable() {
         {"view.panel-fit", "&View", "Fit &quality",
          "What the last registration says of itself: verdict, uncertainty, residuals, iterations.",
          "histogram", "Ctrl+3", always},
+        {"view.panel-clean", "&View", "&Clean panel",
+         "Take points out of the scene, find the ground and what stands on it.", "clean", "Ctrl+4", always},
         {"view.color-source", "&View", "Colour &by layer", "Each layer in its own tint.", "color-layer",
          "Alt+1", always, true, "color", true},
         {"view.color-height", "&View", "Colour by &height", "Colour points by their height.", "color-height",

@@ -11,6 +11,7 @@
 #include "ui/document/Attempts.h"
 #include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
+#include "ui/document/PointMarks.h"
 #include "ui/document/Presentation.h"
 #include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
@@ -111,6 +112,16 @@ void ScenePresenter::showLayer() {
     if (!bounds(alone).empty()) view_.setCamera(lookAt(view_.camera(), bounds(alone)));
 }
 
+void ScenePresenter::showBox(const BoundingBox& box) {
+    if (!box.empty()) view_.setCamera(lookAt(view_.camera(), box));
+}
+
+void ScenePresenter::refreshPoints() {
+    ViewDescription described = view_.description();
+    models_.marks.apply(described);
+    view_.show(std::move(described));
+}
+
 /// Distances to the target belong to one pose: a layer that is shown elsewhere goes without them.
 Overlay ScenePresenter::overlayNow() const {
     const Overlay wanted = models_.presentation.overlay();
@@ -186,6 +197,7 @@ void ScenePresenter::show(ViewDescription described) {
     for (ViewLayer& shown : described.layers) place(shown);
     if (models_.comparison.active()) described.comparison = models_.comparison.shown();
     annotate(described);
+    models_.marks.apply(described);
     std::vector<std::shared_ptr<const Octree>> octrees;
     for (const ViewLayer& shown : described.layers) {
         const Layer* layer = models_.document.state().layer(shown.id);

@@ -13,6 +13,7 @@ class JobRunner;
 class Presentation;
 class Preview;
 class SceneView;
+class PointMarks;
 struct Layer;
 class Selection;
 
@@ -29,6 +30,7 @@ class ScenePresenter : public QObject {
         const Preview& preview;
         const Comparison& comparison;
         const Attempts& attempts;
+        PointMarks& marks;
     };
     ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent = nullptr);
     void showNamedView(NamedView view);
@@ -41,6 +43,10 @@ class ScenePresenter : public QObject {
     /// Fills the view with the selected layer, else the one whose registration is described, seen from where
     /// the camera is.
     void showLayer();
+    /// Fills the view with a box of the scene, seen from where the camera is.
+    void showBox(const BoundingBox& box);
+    /// Shows again what is selected and hidden.
+    void refreshPoints();
 
   private:
     void refresh();

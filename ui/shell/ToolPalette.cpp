@@ -109,6 +109,8 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->setSpacing(2);
     row->addWidget(buttonFor(actions["tool.orbit"], Qt::ToolButtonTextOnly));
     row->addWidget(buttonFor(actions["tool.distance"], Qt::ToolButtonTextOnly));
+    row->addWidget(buttonFor(actions["tool.lasso"], Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(actions["tool.box-select"], Qt::ToolButtonIconOnly));
     row->addWidget(gap());
     row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));

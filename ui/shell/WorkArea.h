@@ -9,12 +9,17 @@ class QVBoxLayout;
 
 namespace vestige {
 
+class CleaningReactions;
+class CleaningTools;
 class SceneView;
 class StepBar;
 class StepTabs;
 class ToolSwitch;
 class ViewArea;
 class ViewsPanel;
+class PartsPanel;
+class ToolSwitch;
+class ViewArea;
 
 /// The middle of the window: the steps above, the case at the left, the view with the registration strip, the
 /// panels of the step at the right.
@@ -26,6 +31,8 @@ class WorkArea : public QWidget {
 
     /// One more above the view.
     void addBar(QWidget* bar);
+    /// Shows the hints of lasso and box, and lets the name of a new part be typed.
+    void follow(CleaningTools& tools, CleaningReactions& reactions);
 
     ViewArea& viewArea() { return *viewArea_; }
     ViewsPanel& viewsPanel() { return *viewsPanel_; }
@@ -53,6 +60,7 @@ class WorkArea : public QWidget {
     bool begun_ = false;  ///< a case, though it may be empty yet
     ViewArea* viewArea_ = nullptr;
     ViewsPanel* viewsPanel_ = nullptr;
+    PartsPanel* parts_ = nullptr;
 };
 
 }  // namespace vestige

@@ -160,6 +160,10 @@ Rgb neutralColor(Theme theme) {
     return theme == Theme::light ? Rgb{198, 204, 211} : Rgb{66, 74, 84};
 }
 
+Rgb selectionColor(Theme theme) {
+    return theme == Theme::light ? Rgb{196, 0, 136} : Rgb{255, 72, 196};
+}
+
 std::optional<ColorScale> colorScale(const ViewDescription& view) {
     if (view.overlay == Overlay::residual) return residualScale(view);
     if (view.overlay != Overlay::none) return std::nullopt;

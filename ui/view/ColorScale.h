@@ -37,6 +37,9 @@ Rgb uncomparedColor(Theme theme);
 /// What is only there to show where the rest is.
 Rgb neutralColor(Theme theme);
 
+/// Of points that are selected: a magenta that no scale and no tint comes near.
+Rgb selectionColor(Theme theme);
+
 /// What the colours of a description mean; nothing for rgb, source, intensity and the overlay `registration`.
 /// Heights reach from the 1 % to the 99 % value of the visible layers, so that stray points do not flatten
 /// the colours; signed distances to a round number over 3 times their spread round the median (1.4826 times

@@ -139,9 +139,7 @@ PointPainter byResidual(const ViewLayer& layer, const ColorScale& scale) {
     });
 }
 
-}  // namespace
-
-PointPainter pointPainter(const ViewDescription& view, std::size_t index,
+PointPainter plainPainter(const ViewDescription& view, std::size_t index,
                           const std::optional<ColorScale>& scale) {
     const ViewLayer& layer = view.layers[index];
     const std::size_t points = layer.geometry->vertices.size();
@@ -166,6 +164,24 @@ PointPainter pointPainter(const ViewDescription& view, std::size_t index,
             break;
     }
     return tinted(layer.geometry, tint);
+}
+
+}  // namespace
+
+PointPainter pointPainter(const ViewDescription& view, std::size_t index,
+                          const std::optional<ColorScale>& scale) {
+    const ViewLayer& layer = view.layers[index];
+    PointPainter plain = plainPainter(view, index, scale);
+    const std::size_t points = layer.geometry->vertices.size();
+    const auto usable = [&](const auto& flags) { return flags && flags->size() == points ? flags : nullptr; };
+    const auto selected = usable(layer.selected);
+    const auto hidden = usable(layer.hidden);
+    if (!selected && !hidden) return plain;
+    return [plain = std::move(plain), selected, hidden, color = selectionColor(view.theme)](std::size_t i) {
+        if (hidden && (*hidden)[i]) return Rgba{0, 0, 0, 0};
+        if (selected && (*selected)[i]) return Rgba{color[0], color[1], color[2], 255};
+        return plain(i);
+    };
 }
 
 std::vector<Rgba> pointColors(const ViewDescription& view, std::size_t index,

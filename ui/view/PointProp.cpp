@@ -68,6 +68,7 @@ constexpr const char* kFragmentShader = R"(//VTK::System::Dec
 in vec4 color;
 flat in float size;
 void main() {
+    if (color.a < 0.5) discard;  // hidden
     vec2 aside = gl_PointCoord - vec2(0.5);
     if (size >= 3.0 && dot(aside, aside) > 0.25) discard;   // round, once that shows
     gl_FragData[0] = color;

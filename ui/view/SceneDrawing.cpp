@@ -37,6 +37,8 @@ struct ColorKey {
     double low;
     double high;
     std::optional<std::array<double, 16>> pose;  ///< where colours are by height
+    std::shared_ptr<const std::vector<std::uint8_t>> selected;
+    std::shared_ptr<const std::vector<std::uint8_t>> hidden;
     bool operator==(const ColorKey&) const = default;
 };
 
@@ -188,15 +190,16 @@ struct SceneDrawing::Private {
 
     void color(Drawn& drawn, const ViewDescription& view, std::size_t index) {
         const ViewLayer& layer = view.layers[index];
-        const ColorKey key{
-            view.colorMode,
-            view.overlay,
-            view.theme,
-            layerTint(view, index),
-            layer.residual_m,
-            scale ? scale->low : 0,
-            scale ? scale->high : 0,
-            byHeight(view) ? std::optional(rowMajor(layer.worldFromLayer.pose)) : std::nullopt};
+        const ColorKey key{view.colorMode,
+                           view.overlay,
+                           view.theme,
+                           layerTint(view, index),
+                           layer.residual_m,
+                           scale ? scale->low : 0,
+                           scale ? scale->high : 0,
+                           byHeight(view) ? std::optional(rowMajor(layer.worldFromLayer.pose)) : std::nullopt,
+                           layer.selected,
+                           layer.hidden};
         if (drawn.colors == key) return;
         drawn.colors = key;
         if (drawn.mesh) return setVertexColors(*drawn.mesh, pointColors(view, index, scale));

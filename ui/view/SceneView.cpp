@@ -99,13 +99,19 @@ struct SceneView::Private {
         painter.drawRect(panes().active().place.adjusted(1, 1, -1, -1));
     }
 
+    /// Null where the flags are of other points than the octree's, for the moment.
+    const std::vector<std::uint8_t>* hiddenOf(std::size_t layer) const {
+        const auto& hidden = description.layers[layer].hidden;
+        return hidden && hidden->size() == octrees[layer]->cloud().size() ? hidden.get() : nullptr;
+    }
+
     std::optional<Pick> pick(const QPoint& position, double radius_px) {
         std::vector<PickLayer> layers;
         const std::size_t count = std::min(octrees.size(), description.layers.size());
         for (std::size_t i = 0; i < count; ++i)
             if (octrees[i] && description.layers[i].visible)
-                layers.push_back(
-                    {static_cast<std::uint32_t>(i), octrees[i].get(), description.layers[i].worldFromLayer});
+                layers.push_back({static_cast<std::uint32_t>(i), octrees[i].get(),
+                                  description.layers[i].worldFromLayer, hiddenOf(i)});
         PickOptions options;
         options.radius_px = radius_px;
         if (description.section) options.clips = description.section->planes();
