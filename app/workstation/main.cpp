@@ -6,42 +6,33 @@
 #include <clocale>
 #include <exception>
 #include <iostream>
-#include <new>
+#include <optional>
 #include <string_view>
 
+#include "core/base/Numbers.h"
 #include "core/base/Version.h"
 #include "ui/print/PdfPrinter.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/view/NativeSurface.h"
 #include "ui/view/PictureRenderer.h"
+#include "ui/watch/AnswerWatch.h"
+#include "ui/watch/EventWatch.h"
+#include "ui/watch/StartTime.h"
+#include "ui/watch/WatchedApplication.h"
 
 namespace {
 
 using namespace vestige;
 
-/// An exception must not unwind through Qt's event loop; what happened is said before the program ends.
-class Application : public QApplication {
-  public:
-    using QApplication::QApplication;
-    bool notify(QObject* receiver, QEvent* event) override {
-        try {
-            return QApplication::notify(receiver, event);
-        } catch (const std::bad_alloc&) {
-            tell("there is not enough memory for this");
-        } catch (const std::exception& error) {
-            tell(error.what());
-        }
-        return false;
-    }
-
-  private:
-    static void tell(const char* what) { std::cerr << "vestige: " << what << '\n'; }
-};
+constexpr double kLongBlock_s = 0.5;
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription("Rebuilds road-accident scenes from laser scans and measures them.");
     parser.addPositionalArgument(
         "case", "A case (case.json, NAME.vestige) or clouds and meshes to begin with.", "[CASE|FILE...]");
+    parser.addOption(
+        {"watch", "Says on stderr when the window does not answer, and at the end what held it longest."});
+    parser.addOption({"start-time", "Says how long the window took to stand, and ends."});
     parser.addHelpOption();
     parser.addVersionOption();
 }
@@ -65,11 +56,19 @@ int run(int argc, char** argv) {
         parser.process(words);
     }
     setNativeSurfaceFormat();
-    Application application(argc, argv);
+    WatchedApplication application(argc, argv);
     // Numbers are written with a point everywhere; Qt has set the locale of the environment.
     std::setlocale(LC_NUMERIC, "C");
     parser.process(application);
 
+    std::optional<EventWatch> watch;
+    std::optional<AnswerWatch> answers;
+    if (parser.isSet("watch")) {
+        watch.emplace();
+        answers.emplace(*watch, kLongBlock_s, [](double held_s) {
+            std::cerr << "vestige: the window has not answered for " << fixedText(held_s, 1) << " s\n";
+        });
+    }
     MainWindow window(nativeSurface(), nativeRenderer(), std::make_unique<PdfPrinter>());
     QApplication::setWindowIcon(QIcon(":/icons/vestige.svg"));
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -77,7 +76,15 @@ int run(int argc, char** argv) {
     window.show();
     const QStringList paths = parser.positionalArguments();
     if (!paths.isEmpty()) window.open(paths);
-    return QApplication::exec();
+    if (parser.isSet("start-time"))
+        whenUsable(window, [] {
+            std::cout << "usable after " << fixedText(processAge_s(), 2) << " s" << std::endl;
+            QCoreApplication::quit();
+        });
+    const int status = QApplication::exec();
+    if (watch)
+        for (const QString& line : watch->report()) std::cerr << "vestige: " << line.toStdString() << '\n';
+    return status;
 }
 
 }  // namespace

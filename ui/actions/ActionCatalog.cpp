@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "ui/actions/Icons.h"
+#include "ui/watch/WatchedTime.h"
 
 namespace vestige {
 namespace {
@@ -44,12 +45,19 @@ QAction& ActionCatalog::operator[](const std::string& id) const {
 }
 
 void ActionCatalog::onTriggered(const std::string& id, std::function<void()> reaction) {
-    connect(&(*this)[id], &QAction::triggered, this, [reaction = std::move(reaction)] { reaction(); });
+    connect(&(*this)[id], &QAction::triggered, this,
+            [name = QString::fromStdString(id), reaction = std::move(reaction)] {
+                const WatchedTime watched("action", name);
+                reaction();
+            });
 }
 
 void ActionCatalog::onToggled(const std::string& id, std::function<void(bool)> reaction) {
     connect(&(*this)[id], &QAction::toggled, this,
-            [reaction = std::move(reaction)](bool checked) { reaction(checked); });
+            [name = QString::fromStdString(id), reaction = std::move(reaction)](bool checked) {
+                const WatchedTime watched("action", name);
+                reaction(checked);
+            });
 }
 
 void ActionCatalog::update(const Situation& situation) {

@@ -35,9 +35,9 @@ const std::vector<ActionSpec>& actionTable() {
         {"file.add-files", "&File", "Add clo&uds and meshes…",
          "Add scans as layers: LAS, LAZ, PLY, PCD, OBJ, STL, VTK, text.", "add", "Ctrl+I", whenIdle},
         {"file.save", "&File", "&Save case", "Save the case where it came from.", "save", "Ctrl+S",
-         [](const Situation& s) { return s.layers > 0 && !s.busy; }, false, "", true},
+         [](const Situation& s) { return s.layers > 0; }, false, "", true},
         {"file.save-as", "&File", "Save case &as…", "Save the case under another name.", "", "Ctrl+Shift+S",
-         [](const Situation& s) { return s.layers > 0 && !s.busy; }},
+         [](const Situation& s) { return s.layers > 0; }},
         {"file.reopen", "&File", "Reop&en saved case", "Go back to the case as it was saved.", "", "",
          whenIdle},
         {"file.verify", "&File", "&Verify evidence",
@@ -160,6 +160,8 @@ const std::vector<ActionSpec>& actionTable() {
         {"view.smaller-points", "&View", "&Smaller points", "Draw points smaller.", "smaller", "-", always},
 
         {"help.about", "&Help", "&About Vestige", "Version and what it is built with.", "", "", always},
+        {"help.responsiveness", "&Help", "&Responsiveness",
+         "Measure how long the window takes to answer, and tell what held it longest.", "timer", "", always},
     };
     return all;
 }

@@ -19,6 +19,7 @@
 #include "ui/actions/reactions/FileReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
+#include "ui/actions/reactions/WatchReactions.h"
 #include "ui/document/Attempts.h"
 #include "ui/document/Autosave.h"
 #include "ui/document/Comparison.h"
@@ -72,7 +73,8 @@ struct MainWindow::Private {
           registration(bench),
           compares(bench),
           views(bench),
-          exports(bench) {}
+          exports(bench),
+          watches(bench) {}
 
     std::unique_ptr<ViewRenderer> renderer;
     std::unique_ptr<DocumentPrinter> printer;
@@ -102,6 +104,7 @@ struct MainWindow::Private {
     CompareReactions compares;
     ViewReactions views;
     ExportReactions exports;
+    WatchReactions watches;
     HeaderBar* header = nullptr;
     WorkArea* area = nullptr;
     StatusStrip* status = nullptr;
@@ -245,7 +248,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(d_->files.mayLeave());
     if (!event->isAccepted()) return;
     d_->jobs->cancel();
-    if (d_->autosave) d_->autosave->end();
+    d_->files.leave();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

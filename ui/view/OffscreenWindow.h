@@ -18,7 +18,9 @@ class OffscreenWindow {
 
     vtkRenderWindow& renderWindow();
     void resize(const QSize& pixels);
-    /// Draws the window's renderers and reads the picture back; opaque.
+    /// Draws the window's renderers.
+    void render();
+    /// The same, and reads the picture back; opaque.
     QImage draw();
 
   private:

@@ -12,8 +12,10 @@
 #include "core/pipeline/FrameView.h"
 #include "ui/view/FrameBudget.h"
 #include "ui/view/Overlay.h"
+#include "ui/view/SameDrawing.h"
 #include "ui/view/SceneDrawing.h"
 #include "ui/view/ViewMouse.h"
+#include "ui/watch/WatchedTime.h"
 
 namespace vestige {
 namespace {
@@ -85,9 +87,15 @@ struct SceneView::Private {
         paintOverlay(painter, {description, camera, drawing->scale(), pending, covered});
     }
 
+    bool drawFrame() {
+        const DrawingTime watched;
+        return surface->drawFrame();
+    }
+
     /// Draws the next step of the picture: the first points, or some more. `all` leaves nothing out.
     void step(bool all) {
         if (size().isEmpty()) return;
+        const WatchedTime watched("frame");
         fitCamera();
         if (sceneChanged) drawing->show(description);
         const bool begin = sceneChanged || pictureChanged;
@@ -109,7 +117,7 @@ struct SceneView::Private {
             drawing->addToPicture(to);
         QElapsedTimer clock;
         clock.start();
-        if (!surface->drawFrame()) {
+        if (!drawFrame()) {
             frameTimer.start(20);
             return;
         }
@@ -177,7 +185,10 @@ QWidget* SceneView::widget() const {
 
 void SceneView::show(ViewDescription view, bool resetCamera) {
     const bool take = resetCamera || !d_->hasCamera;
+    // Most edits change what is painted over the points alone.
+    const bool same = !take && sameDrawing(d_->description, view);
     d_->description = std::move(view);
+    if (same) return d_->overlay->update();
     d_->sceneChanged = true;
     if (take) {
         d_->camera = d_->description.camera;
@@ -242,7 +253,7 @@ void SceneView::setComparison(const ViewComparison& comparison) {
     d_->overlay->update();
     if (d_->sceneChanged || d_->pictureChanged) return;
     d_->drawing->addToPicture(d_->share);
-    d_->surface->drawFrame();
+    d_->drawFrame();
 }
 
 void SceneView::setPendingMark(std::optional<ViewMark> mark) {
