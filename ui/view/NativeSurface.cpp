@@ -23,7 +23,7 @@ class NativeWidget : public QOpenGLWidget {
     explicit NativeWidget(QWidget* parent) : QOpenGLWidget(parent) {
         setFormat(nativeFormat());
         observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* widget, void*) {
-            static_cast<NativeWidget*>(widget)->makeCurrent();
+            static_cast<NativeWidget*>(widget)->takeContext();
         });
         observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* widget, void* answer) {
             const auto* context = static_cast<NativeWidget*>(widget)->context();
@@ -86,6 +86,13 @@ class NativeWidget : public QOpenGLWidget {
     }
 
   private:
+    /// Making it current binds Qt's framebuffer, which VTK must hear of, and not in the middle of its drawing.
+    void takeContext() {
+        if (!context() || context() == QOpenGLContext::currentContext()) return;
+        makeCurrent();
+        if (window_->GetReadyForRendering()) window_->GetState()->ResetFramebufferBindings();
+    }
+
     void observe(unsigned long event, void (*answer)(vtkObject*, unsigned long, void*, void*)) {
         vtkNew<vtkCallbackCommand> command;
         command->SetClientData(this);
