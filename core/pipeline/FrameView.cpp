@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/Random.h"
@@ -48,14 +50,52 @@ struct Extent {
     double high;
 };
 
-/// Of all but the stray values; not for none.
-Extent extentOf(std::vector<double>& values) {
-    const auto drop = static_cast<std::ptrdiff_t>(kStray * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), values.begin() + drop, values.end());
-    const double low = values[drop];
-    std::nth_element(values.begin(), values.end() - 1 - drop, values.end());
-    return {low, *(values.end() - 1 - drop)};
+/// The value that `rank` others come before: few, so that the first of them are kept as a heap.
+template <class Before>
+double ranked(const std::vector<double>& values, std::size_t rank, const Before& before) {
+    std::vector<double> first(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank) + 1);
+    std::make_heap(first.begin(), first.end(), before);
+    for (std::size_t i = rank + 1; i < values.size(); ++i) {
+        if (!before(values[i], first.front())) continue;
+        std::pop_heap(first.begin(), first.end(), before);
+        first.back() = values[i];
+        std::push_heap(first.begin(), first.end(), before);
+    }
+    return first.front();
 }
+
+/// Of all but the stray values; not for none.
+Extent extentOf(const std::vector<double>& values) {
+    const auto drop = static_cast<std::size_t>(kStray * static_cast<double>(values.size()));
+    return {ranked(values, drop, std::less<>()), ranked(values, drop, std::greater<>())};
+}
+
+/// ViewCamera::project for many points of one camera: to the last bit the same.
+class Projection {
+  public:
+    explicit Projection(const ViewCamera& camera)
+        : camera_(camera),
+          forward_(camera.direction()),
+          right_(forward_.cross(camera.viewUp).normalized()),
+          up_(right_.cross(forward_)),
+          tangent_(std::tan(0.5 * camera.verticalAngle_rad)) {}
+    std::optional<Eigen::Vector2d> operator()(const Eigen::Vector3d& world) const {
+        const Eigen::Vector3d ray = world - camera_.position;
+        const double depth = ray.dot(forward_);
+        if (!camera_.parallel && depth <= 0) return std::nullopt;
+        const double halfHeight = camera_.parallel ? camera_.halfHeight_m : depth * tangent_;
+        const double scale = 1 / (2 * halfHeight / camera_.height_px);
+        return Eigen::Vector2d(0.5 * camera_.width_px + scale * ray.dot(right_),
+                               0.5 * camera_.height_px - scale * ray.dot(up_));
+    }
+
+  private:
+    const ViewCamera& camera_;
+    Eigen::Vector3d forward_;
+    Eigen::Vector3d right_;
+    Eigen::Vector3d up_;
+    double tangent_;
+};
 
 /// The box of all but the stray points on each axis.
 BoundingBox boxOf(const std::vector<Eigen::Vector3d>& sample) {
@@ -105,14 +145,17 @@ ViewCamera filled(ViewCamera camera, const std::vector<Eigen::Vector3d>& sample)
     const Eigen::Vector3d forward = camera.direction();
     const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
     const Eigen::Vector3d up = right.cross(forward);
+    std::vector<double> across;
+    std::vector<double> down;
     for (int step = 0; step < kSteps; ++step) {
-        std::vector<double> across;
-        std::vector<double> down;
+        across.clear();
+        down.clear();
+        const Projection project(camera);
         for (const Eigen::Vector3d& point : sample) {
-            const auto seen = camera.project(point);
+            const auto seen = project(point);
             if (!seen) continue;
-            across.push_back(seen->pixel.x());
-            down.push_back(seen->pixel.y());
+            across.push_back(seen->x());
+            down.push_back(seen->y());
         }
         if (across.empty()) return camera;
         const Extent x = extentOf(across);

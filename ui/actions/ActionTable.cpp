@@ -41,9 +41,9 @@ const std::vector<ActionSpec>& actionTable() {
         {"file.add-files", "&File", "Add clo&uds and meshes…",
          "Add scans as layers: LAS, LAZ, PLY, PCD, OBJ, STL, VTK, text.", "add", "Ctrl+I", whenIdle},
         {"file.save", "&File", "&Save case", "Save the case where it came from.", "save", "Ctrl+S",
-         [](const Situation& s) { return s.layers > 0 && !s.busy; }, false, "", true},
+         [](const Situation& s) { return s.layers > 0; }, false, "", true},
         {"file.save-as", "&File", "Save case &as…", "Save the case under another name.", "save-as",
-         "Ctrl+Shift+S", [](const Situation& s) { return s.layers > 0 && !s.busy; }},
+         "Ctrl+Shift+S", [](const Situation& s) { return s.layers > 0; }},
         {"file.reopen", "&File", "Reop&en saved case", "Go back to the case as it was saved.", "reopen", "",
          whenIdle},
         {"file.verify", "&File", "&Verify evidence",
@@ -321,6 +321,8 @@ const std::vector<ActionSpec>& actionTable() {
          "?", always},
         {"help.shortcut-sheet", "&Help", "Save shortcut &sheet…",
          "Write the shortcuts as a page to print: PDF, HTML or text.", "print", "", always},
+        {"help.responsiveness", "&Help", "&Responsiveness",
+         "Measure how long the window takes to answer, and tell what held it longest.", "timer", "", always},
         {"help.about", "&Help", "&About Vestige", "Version and what it is built with.", "about", "", always},
     };
     return all;

@@ -23,6 +23,7 @@
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/SampleReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
+#include "ui/actions/reactions/WatchReactions.h"
 #include "ui/document/Attempts.h"
 #include "ui/document/Autosave.h"
 #include "ui/document/Cleaner.h"
@@ -96,7 +97,8 @@ struct MainWindow::Private {
           languages(bench),
           cleans(bench),
           cleaningTools(bench, *view),
-          cleaner(document, *jobs, notices) {}
+          cleaner(document, *jobs, notices),
+          watches(bench) {}
 
     std::unique_ptr<ViewRenderer> renderer;
     std::unique_ptr<DocumentPrinter> printer;
@@ -139,6 +141,7 @@ struct MainWindow::Private {
     CleaningReactions cleans;
     CleaningTools cleaningTools;
     Cleaner cleaner;
+    WatchReactions watches;
     HeaderBar* header = nullptr;
     WorkArea* area = nullptr;
     StatusStrip* status = nullptr;
@@ -290,7 +293,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(d_->files.mayLeave());
     if (!event->isAccepted()) return;
     d_->jobs->cancel();
-    if (d_->autosave) d_->autosave->end();
+    d_->files.leave();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -17,6 +17,7 @@
 #include "ui/document/Selection.h"
 #include "ui/jobs/JobRunner.h"
 #include "ui/view/SceneView.h"
+#include "ui/watch/WatchedTime.h"
 
 namespace vestige {
 namespace {
@@ -65,7 +66,10 @@ ViewDescription placedOnly(const SceneState& scene, const ViewDescription& descr
 
 ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent)
     : QObject(parent), models_(models), jobs_(jobs), view_(view) {
-    connect(&models_.document, &Document::replaced, this, [this] { frameAll_ = true; });
+    connect(&models_.document, &Document::replaced, this, [this] {
+        frameAll_ = true;
+        residuals_.clear();
+    });
     connect(&models_.document, &Document::changed, this, [this] { refresh(); });
     connect(&models_.presentation, &Presentation::changed, this, [this] { refresh(); });
     connect(&models_.presentation, &Presentation::sectionChanged, this,
@@ -132,12 +136,15 @@ Overlay ScenePresenter::overlayNow() const {
 }
 
 void ScenePresenter::refresh() {
+    const WatchedTime watched("ScenePresenter::refresh");
     ++refreshes_;
     // Distances to the target take seconds on large clouds; the picture without them comes first.
     const bool residual = overlayNow() == Overlay::residual;
-    show(describeView(models_.document.state(), models_.presentation.colorMode(),
-                      residual ? Overlay::none : overlayNow(), models_.presentation.before()));
-    if (residual) computeResiduals();
+    auto described = describeView(models_.document.state(), models_.presentation.colorMode(),
+                                  residual ? Overlay::none : overlayNow(), models_.presentation.before());
+    const bool known = residual && residuals_.fill(described, models_.document.state());
+    show(std::move(described));
+    if (residual && !known) computeResiduals();
 }
 
 void ScenePresenter::computeResiduals() {
@@ -150,7 +157,9 @@ void ScenePresenter::computeResiduals() {
             return described;
         },
         [this, asked = refreshes_](Result<ViewDescription> described) {
-            if (described && asked == refreshes_) show(std::move(*described));
+            if (!described || asked != refreshes_) return;
+            residuals_.remember(*described, models_.document.state());
+            show(std::move(*described));
         });
 }
 
@@ -227,6 +236,7 @@ void ScenePresenter::annotate(ViewDescription& described) const {
 }
 
 void ScenePresenter::refreshMarks() {
+    const WatchedTime watched("ScenePresenter::refreshMarks");
     ViewDescription described = view_.description();
     annotate(described);
     view_.show(std::move(described));

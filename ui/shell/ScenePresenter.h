@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "core/pipeline/ViewRenderer.h"
+#include "ui/shell/ResidualCache.h"
 
 namespace vestige {
 
@@ -59,6 +60,7 @@ class ScenePresenter : public QObject {
     Overlay overlayNow() const;
 
     Models models_;
+    ResidualCache residuals_;
     JobRunner& jobs_;
     SceneView& view_;
     bool frameAll_ = true;  ///< the next non-empty picture takes a camera that holds everything

@@ -53,6 +53,11 @@ void OffscreenWindow::resize(const QSize& pixels) {
     d_->window->SetSize(pixels.width(), pixels.height());
 }
 
+void OffscreenWindow::render() {
+    d_->window->Render();
+    d_->window->WaitForCompletion();
+}
+
 QImage OffscreenWindow::draw(bool withCover) {
     d_->window->Render();
     const int* size = d_->window->GetSize();

@@ -18,8 +18,9 @@ class OffscreenWindow {
 
     vtkRenderWindow& renderWindow();
     void resize(const QSize& pixels);
-    /// Draws the window's renderers and reads the picture back; opaque unless `withCover`, which keeps where
-    /// nothing is.
+    /// Draws the window's renderers.
+    void render();
+    /// The same, and reads the picture back; opaque unless `withCover`, which keeps where nothing is.
     QImage draw(bool withCover = false);
 
   private:

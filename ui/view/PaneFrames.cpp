@@ -1,5 +1,7 @@
 #include "ui/view/PaneFrames.h"
 
+#include "ui/watch/WatchedTime.h"
+
 #include <QElapsedTimer>
 #include <QWidget>
 #include <algorithm>
@@ -78,6 +80,7 @@ void PaneFrames::mixChanged() {
         if (pane.changed) continue;
         drawing_->usePane(i);
         drawing_->addToPicture(pane.share);
+        const DrawingTime watched;
         surface_->drawFrame();
     }
 }
@@ -133,7 +136,11 @@ void PaneFrames::step(std::size_t index, bool all) {
         drawing_->addToPicture(to);
     QElapsedTimer clock;
     clock.start();
-    if (!surface_->drawFrame()) {
+    const bool drawn = [&] {
+        const DrawingTime watched;
+        return surface_->drawFrame();
+    }();
+    if (!drawn) {
         frameTimer_.start(20);
         return;
     }

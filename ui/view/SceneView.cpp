@@ -9,6 +9,7 @@
 #include "core/pipeline/FrameView.h"
 #include "ui/view/Overlay.h"
 #include "ui/view/PaneFrames.h"
+#include "ui/view/SameDrawing.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -163,7 +164,10 @@ QWidget* SceneView::widget() const {
 
 void SceneView::show(ViewDescription view, bool resetCamera) {
     const bool take = resetCamera || !d_->hasCamera;
+    // Most edits change what is painted over the points alone.
+    const bool same = !take && sameDrawing(d_->description, view);
     d_->description = std::move(view);
+    if (same) return d_->overlay->update();
     if (take) {
         d_->panes().active().camera = d_->description.camera;
         d_->hasCamera = true;
