@@ -84,8 +84,10 @@ const ParameterTable& groundSearchParameters() {
 const ParameterTable& objectSearchParameters() {
     using enum ParameterType;
     static const ParameterTable table{
-        numberOf("gap_m", "Gap", "m", real, 0.25, 0.01, 5,
-                 "Cubes of this edge that touch and hold points belong to one object."),
+        numberOf("gap_m", "Gap", "m", real, 0.12, 0.01, 5,
+                 "Cubes of this edge that touch and hold points belong to one object; three times the "
+                 "spacing of the points or "
+                 "more, and less than what stands apart."),
         numberOf("fewest", "Fewest points", "", integer, std::int64_t{40}, 3, 10000000,
                  "Anything of fewer points is passed over."),
         numberOf("smallest_m", "Smallest", "m", real, 0.1, 0.001, 100,

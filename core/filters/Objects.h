@@ -12,7 +12,7 @@
 namespace vestige {
 
 struct ObjectOptions {
-    double gap_m = 0.25;
+    double gap_m = 0.12;
     std::size_t fewest = 40;  ///< points
     double smallest_m = 0.1;  ///< longest side
     double largest_m = 25;
