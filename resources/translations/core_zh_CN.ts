@@ -6955,6 +6955,18 @@
         <translation>更远</translation>
     </message>
     <message>
+        <source>moves up and down and tilts about a level axis that runs %1</source>
+        <translation>上下移动并绕%1方向的水平轴倾斜</translation>
+    </message>
+    <message>
+        <source>moves up and down and turns about a sloping axis that runs %1</source>
+        <translation>上下移动并绕%1方向的倾斜轴转动</translation>
+    </message>
+    <message>
+        <source>moves up and down and turns about the vertical axis</source>
+        <translation>上下移动并绕竖直轴转动</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>否</translation>
     </message>
@@ -7013,6 +7025,30 @@
     <message>
         <source>set</source>
         <translation>已设定</translation>
+    </message>
+    <message>
+        <source>slides at a slope %1 and tilts about a level axis that runs %2</source>
+        <translation>沿%1方向斜向滑动并绕%2方向的水平轴倾斜</translation>
+    </message>
+    <message>
+        <source>slides at a slope %1 and turns about a sloping axis that runs %2</source>
+        <translation>沿%1方向斜向滑动并绕%2方向的倾斜轴转动</translation>
+    </message>
+    <message>
+        <source>slides at a slope %1 and turns about the vertical axis</source>
+        <translation>沿%1方向斜向滑动并绕竖直轴转动</translation>
+    </message>
+    <message>
+        <source>slides level %1 and tilts about a level axis that runs %2</source>
+        <translation>沿%1方向水平滑动并绕%2方向的水平轴倾斜</translation>
+    </message>
+    <message>
+        <source>slides level %1 and turns about a sloping axis that runs %2</source>
+        <translation>沿%1方向水平滑动并绕%2方向的倾斜轴转动</translation>
+    </message>
+    <message>
+        <source>slides level %1 and turns about the vertical axis</source>
+        <translation>沿%1方向水平滑动并绕竖直轴转动</translation>
     </message>
     <message>
         <source>true</source>

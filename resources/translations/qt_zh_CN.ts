@@ -83,4 +83,9 @@ Please verify the correct directory name was given.</source><translation>%1
     <message><source>Select All</source><translation>全选</translation></message>
     <message><source>Delete</source><translation>删除</translation></message>
 </context>
+<context>
+    <name>QTabBar</name>
+    <message><source>Scroll Left</source><translation>向左滚动</translation></message>
+    <message><source>Scroll Right</source><translation>向右滚动</translation></message>
+</context>
 </TS>
