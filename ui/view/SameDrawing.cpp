@@ -18,7 +18,7 @@ bool sameLayer(const ViewLayer& a, const ViewLayer& b) {
     return a.id == b.id && a.geometry == b.geometry && a.octree == b.octree &&
            samePlace(a.worldFromLayer, b.worldFromLayer) && a.tint == b.tint &&
            a.residual_m == b.residual_m && a.visible == b.visible && a.isTarget == b.isTarget &&
-           a.hidden == b.hidden && sameSide(a.other, b.other);
+           a.hidden == b.hidden && a.selected == b.selected && sameSide(a.other, b.other);
 }
 
 bool sameComparison(const std::optional<ViewComparison>& a, const std::optional<ViewComparison>& b) {
