@@ -20,8 +20,8 @@ const std::set<std::string> kSame{
 
 std::set<std::string> englishLeft(std::string_view text, const std::set<std::string>& names) {
     static const std::regex file(
-        R"([\w/-]+\.(json|las|ply|csv|pdf|png|vestige|db)\b|\.vestige\b|[0-9a-f]{12,}|&[a-z]+;|<[^>]*>)");
-    std::string rest = std::regex_replace(std::string(text), file, " ");
+        R"([\w/-]*\.(json|las|laz|ply|xyz|csv|pdf|png|vestige|db)\b|[0-9a-f]{12,}|&[a-z]+;|<[^>]*>)");
+    std::string rest(text);
     // A name may be a part of another one.
     std::vector<std::string> longestFirst(names.begin(), names.end());
     std::sort(longestFirst.begin(), longestFirst.end(),
@@ -29,6 +29,7 @@ std::set<std::string> englishLeft(std::string_view text, const std::set<std::str
     for (const std::string& name : longestFirst)
         for (std::size_t at = rest.find(name); !name.empty() && at != std::string::npos; at = rest.find(name))
             rest.erase(at, name.size()).insert(at, 1, ' ');
+    rest = std::regex_replace(rest, file, " ");
     static const std::regex word("[A-Za-z]{3,}");
     std::set<std::string> left;
     for (std::sregex_iterator found(rest.begin(), rest.end(), word), end; found != end; ++found)

@@ -82,6 +82,8 @@ class LanguageWindow : public testing::Test {
         for (const Layer& layer : driver->scene().layers) {
             names.insert(layer.name);
             names.insert(layer.path.string());
+            names.insert(layer.path.filename().string());
+            names.insert(layer.path.parent_path().filename().string());
         }
         QStringList left;
         for (const auto& [where, text] : texts())
