@@ -63,7 +63,7 @@ QString FileChooser::sheetToSave(QWidget* window, const QString& suggestion) {
 }
 
 QString FileChooser::pictureToSave(QWidget* window, const QString& suggestion) {
-    return QFileDialog::getSaveFileName(window, tr("Save picture"), suggestion, "PNG (*.png)");
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save picture"), suggestion, "PNG (*.png)");
 }
 
 QString FileChooser::folderForReport(QWidget* window, const QString& suggestion) {

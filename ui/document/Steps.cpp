@@ -94,7 +94,7 @@ StepFacts cleanFacts(const SceneState& scene) {
         return facts;
     }
     const auto cleaned = std::count_if(scene.layers.begin(), scene.layers.end(),
-                                       [](const Layer& layer) { return layer.removed != nullptr; });
+                                       [](const Layer& layer) { return layer.cleaning != nullptr; });
     facts.state = cleaned > 0 || !scene.objects.empty() ? StepState::done : StepState::optional;
     facts.summary =
         facts.state == StepState::optional
