@@ -244,6 +244,30 @@ Run declareScreenshot(CLI::App& command) {
             "", "picture"));
     command.add_option("--view", options->view, "From where. Default: perspective.")
         ->check(CLI::IsMember({"perspective", "top", "front", "left", "iso"}));
+    command
+        .add_option("--projection", options->projection,
+                    "Default: auto, that is parallel from top, front and left.")
+        ->check(CLI::IsMember({"auto", "perspective", "parallel"}));
+    command.add_option(
+        "--saved-view", options->savedView,
+        "A view that the case keeps: its camera, section, colours and scale. What other options "
+        "ask for goes before them.");
+    command
+        .add_option("--section", options->section,
+                    "Shows only what lies in this box, metres; DEG turns it about its middle.")
+        ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX[,DEG]")
+        ->check(CLI::Validator(sectionProblem, "", "section"));
+    command
+        .add_option("--scale", options->scale,
+                    "True to scale: 100 for 1:100. Parallel views only. Without --size the picture holds all "
+                    "there is.")
+        ->type_name("N")
+        ->check(CLI::Range(0.01, 1e6));
+    command
+        .add_option("--dpi", options->dpi,
+                    "Dots per inch, written into the file; lettering and points grow with them. Default with "
+                    "--scale: 300.")
+        ->check(CLI::Range(36.0, 2400.0));
     command.add_option("--size", options->size, "Pixels. Default: 1400x900.")
         ->type_name("WxH")
         ->check(CLI::Validator(sizeProblem, "", "size"));

@@ -19,6 +19,8 @@ constexpr int kMargin_px = 32;
 /// What letters and lines are made for.
 constexpr double kWindow_dpi = 96;
 constexpr double kMetresPerInch = 0.0254;
+/// Legend and scale bar would cover most of a picture that is smaller than this in their pixels.
+constexpr double kLeastLettered_px = 300;
 
 class PictureRenderer : public ViewRenderer {
   public:
@@ -95,7 +97,9 @@ class PictureRenderer : public ViewRenderer {
         }
         // Fonts are in pixels of the painter: what the file says of itself must not enlarge them twice.
         QPainter painter(&picture);
-        const double factor = view.scale.dpi ? std::max(1.0, *view.scale.dpi / kWindow_dpi) : 1.0;
+        const double most = std::min(picture.width(), picture.height()) / kLeastLettered_px;
+        const double factor =
+            view.scale.dpi ? std::max(1.0, std::min(*view.scale.dpi / kWindow_dpi, most)) : 1.0;
         ViewCamera camera = view.camera;
         camera.width_px = std::max(1, static_cast<int>(std::lround(picture.width() / factor)));
         camera.height_px = std::max(1, static_cast<int>(std::lround(picture.height() / factor)));
