@@ -10,7 +10,7 @@ namespace vestige {
 namespace {
 
 constexpr double kSide = 58;
-constexpr double kRadius = 19;
+constexpr double kRadius = 17;
 constexpr double kLeastSeen = 0.14;
 
 }  // namespace
@@ -24,13 +24,13 @@ QRectF paintNorthArrow(QPainter& painter, const ViewTheme& theme, const QRectF& 
         return QPointF(right.x() * x + right.y() * y, -(up.x() * x + up.y() * y));
     };
     const QPointF north = seen(0, 1);
-    if (std::hypot(north.x(), north.y()) < kLeastSeen) return {};
+    if (std::abs(forward.z()) < kLeastSeen) return {};
     const QRectF panel(inside.right() - kSide, inside.bottom() - kSide, kSide, kSide);
     painter.setPen(QPen(theme.panelEdge, 1));
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(panel.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
     const QPointF centre = panel.center();
-    const auto at = [&](double x, double y) { return centre + kRadius * seen(x, y); };
+    const auto at = [&](double x, double y) { return centre + QPointF(0, 2) + kRadius * seen(x, y); };
     const auto needle = [&](double tip) {
         return QPolygonF(QVector<QPointF>{at(0, tip), at(0.3, 0), at(-0.3, 0)});
     };

@@ -29,11 +29,16 @@ void paintPanel(QPainter& painter, const ViewTheme& theme, const QRectF& panel) 
 
 /// At the bottom right, left of the north arrow.
 QRectF paintName(QPainter& painter, const ViewTheme& theme, const QRectF& inside, const QRectF& arrow,
-                 const QString& name) {
+                 const std::vector<QRectF>& taken, const QString& name) {
     painter.setFont(theme.font(12, true));
     const double width = painter.fontMetrics().horizontalAdvance(name) + 18;
     const double right = arrow.isNull() ? inside.right() : arrow.left() - 6;
-    const QRectF panel(right - width, inside.bottom() - 26, width, 26);
+    QRectF panel(right - width, inside.bottom() - 26, width, 26);
+    // In a narrow picture the scale bar reaches so far.
+    const bool crowded =
+        std::any_of(taken.begin(), taken.end(), [&](const QRectF& place) { return place.intersects(panel); });
+    if (crowded)
+        panel.moveBottomRight({inside.right(), (arrow.isNull() ? inside.bottom() - 40 : arrow.top()) - 6});
     paintPanel(painter, theme, panel);
     painter.setPen(theme.text);
     painter.drawText(panel, Qt::AlignCenter, name);
@@ -85,6 +90,11 @@ void paintOverlay(QPainter& painter, const OverlayContent& content) {
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     const QRectF picture(0, 0, content.camera.width_px, content.camera.height_px);
     const QRectF inside = picture.adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    // Lines first, under the panels.
+    const bool plan = view.showGrid && showsPlan(content.camera);
+    if (plan) paintPlanGrid(painter, theme, picture, content.camera);
+    if (view.section && content.sectionHandles)
+        paintSection(painter, theme, picture, content.camera, *view.section, content.held);
     std::vector<QRectF> taken = content.covered;
     if (view.comparison) taken.push_back(paintSplit(painter, theme, picture, *view.comparison));
     if (!view.title.empty()) taken.push_back(paintTitle(painter, theme, QString::fromStdString(view.title)));
@@ -100,13 +110,13 @@ void paintOverlay(QPainter& painter, const OverlayContent& content) {
     QRectF compass;
     if (view.showNorthArrow)
         taken.push_back(compass = paintNorthArrow(painter, theme, inside, content.camera));
-    if (!content.name.isEmpty()) taken.push_back(paintName(painter, theme, inside, compass, content.name));
-    if (view.showGrid && showsPlan(content.camera)) {
-        const std::vector<QRectF> places = paintPlanGrid(painter, theme, picture, content.camera, taken);
+    if (!content.name.isEmpty())
+        taken.push_back(paintName(painter, theme, inside, compass, taken, content.name));
+    if (plan) {
+        const std::vector<QRectF> places =
+            paintPlanCoordinates(painter, theme, picture, content.camera, taken);
         taken.insert(taken.end(), places.begin(), places.end());
     }
-    if (view.section && content.sectionHandles)
-        paintSection(painter, theme, picture, content.camera, *view.section, content.held);
     for (const ViewArrow& arrow : view.arrows)
         paintArrow(painter, theme, picture, content.camera, arrow, taken);
     std::vector<PaintedMark> marks = paintPaths(painter, theme, picture, content.camera, view.paths);

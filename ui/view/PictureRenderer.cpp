@@ -24,6 +24,8 @@ constexpr double kWindow_dpi = 96;
 constexpr double kMetresPerInch = 0.0254;
 /// Points drawn in one step: at most 0.2 s on two cores without a graphics card.
 constexpr double kStepPoints = 800'000;
+/// Legend and scale bar would cover most of a picture that is smaller than this in their pixels.
+constexpr double kLeastLettered_px = 300;
 
 /// A picture larger than the framebuffer is drawn in parts; each part, or the whole, in steps.
 class PictureRenderer : public SteppedRenderer {
@@ -147,7 +149,9 @@ class PictureRenderer : public SteppedRenderer {
         }
         // Fonts are in pixels of the painter: what the file says of itself must not enlarge them twice.
         QPainter painter(&picture);
-        const double factor = view_.scale.dpi ? std::max(1.0, *view_.scale.dpi / kWindow_dpi) : 1.0;
+        const double most = std::min(picture.width(), picture.height()) / kLeastLettered_px;
+        const double factor =
+            view_.scale.dpi ? std::max(1.0, std::min(*view_.scale.dpi / kWindow_dpi, most)) : 1.0;
         ViewCamera camera = view_.camera;
         camera.width_px = std::max(1, static_cast<int>(std::lround(picture.width() / factor)));
         camera.height_px = std::max(1, static_cast<int>(std::lround(picture.height() / factor)));

@@ -62,49 +62,64 @@ bool showsPlan(const ViewCamera& camera) {
     return camera.parallel && alongAxis(view.right) && alongAxis(view.up);
 }
 
-std::vector<QRectF> paintPlanGrid(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
-                                  const ViewCamera& camera, const std::vector<QRectF>& taken) {
-    const Directions view = directions(camera);
+namespace {
+
+/// Calls `paint(offset from the picture's middle in pixels, coordinate)` for the lines across a direction.
+template <class Paint>
+void eachLine(const ViewCamera& camera, const Eigen::Vector3d& along, double pixels, const Paint& paint) {
     const double spacing = gridSpacing_m(camera);
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(spacing) - 1e-9)));
+    const double metres = camera.metresPerPixel(1);
+    const int axis = axisAlong(along);
+    const double sign = along[axis] > 0 ? 1 : -1;
+    const double centre = camera.position[axis];
+    const double reach = 0.5 * pixels * metres;
+    for (double k = std::ceil((centre - reach) / spacing); k * spacing <= centre + reach; ++k)
+        paint(sign * (k * spacing - centre) / metres, k == 0 ? 0.0 : k * spacing);
+}
+
+}  // namespace
+
+void paintPlanGrid(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
+                   const ViewCamera& camera) {
+    const Directions view = directions(camera);
     QColor color = theme.quietText;
     color.setAlpha(kLineAlpha);
+    painter.setPen(QPen(color, 1));
+    eachLine(camera, view.right, picture.width(), [&](double offset, double) {
+        const double x = picture.center().x() + offset;
+        painter.drawLine(QPointF(x, picture.top()), QPointF(x, picture.bottom()));
+    });
+    eachLine(camera, view.up, picture.height(), [&](double offset, double) {
+        const double y = picture.center().y() - offset;
+        painter.drawLine(QPointF(picture.left(), y), QPointF(picture.right(), y));
+    });
+}
+
+std::vector<QRectF> paintPlanCoordinates(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
+                                         const ViewCamera& camera, const std::vector<QRectF>& taken) {
+    const Directions view = directions(camera);
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(gridSpacing_m(camera)) - 1e-9)));
     painter.setFont(theme.font(10));
     std::vector<QRectF> places;
-    const double metres = camera.metresPerPixel(1);
-    const auto lines = [&](const Eigen::Vector3d& along, double pixels, const auto& paint) {
-        const int axis = axisAlong(along);
-        const double sign = along[axis] > 0 ? 1 : -1;
-        const double centre = camera.position[axis];
-        const double reach = 0.5 * pixels * metres;
-        for (double k = std::ceil((centre - reach) / spacing); k * spacing <= centre + reach; ++k) {
-            const double offset_px = sign * (k * spacing - centre) / metres;
-            paint(offset_px, QString::fromStdString(fixedText(k * spacing == 0 ? 0 : k * spacing, decimals)));
-        }
+    const auto isFree = [&](const QRectF& around) {
+        const auto meets = [&](const QRectF& other) { return other.intersects(around); };
+        return picture.contains(around) && std::none_of(taken.begin(), taken.end(), meets) &&
+               std::none_of(places.begin(), places.end(), meets);
     };
-    const auto label = [&](const QRectF& place, const QString& text) {
-        const QRectF around = place.adjusted(-4, -2, 4, 2);
-        if (!picture.contains(around)) return;
-        for (const auto* others : {&taken, static_cast<const std::vector<QRectF>*>(&places)})
-            if (std::any_of(others->begin(), others->end(),
-                            [&](const QRectF& other) { return other.intersects(around); }))
-                return;
+    const auto label = [&](const QPointF& corner, double value) {
+        const QString text = QString::fromStdString(fixedText(value, decimals));
+        const QRectF place(corner, QSizeF(painter.fontMetrics().horizontalAdvance(text), 13));
+        if (!isFree(place.adjusted(-4, -2, 4, 2))) return;
         paintCoordinate(painter, theme, {place.left(), place.bottom() - 3}, text);
         places.push_back(place);
     };
-    lines(view.right, picture.width(), [&](double offset, const QString& text) {
-        const double x = picture.center().x() + offset;
-        painter.setPen(QPen(color, 1));
-        painter.drawLine(QPointF(x, picture.top()), QPointF(x, picture.bottom()));
-        const double width = painter.fontMetrics().horizontalAdvance(text);
-        label({x + 4, picture.bottom() - 17, width, 13}, text);
+    eachLine(camera, view.right, picture.width(), [&](double offset, double value) {
+        label({picture.center().x() + offset + 4, picture.bottom() - 17}, value);
     });
-    lines(view.up, picture.height(), [&](double offset, const QString& text) {
-        const double y = picture.center().y() - offset;
-        painter.setPen(QPen(color, 1));
-        painter.drawLine(QPointF(picture.left(), y), QPointF(picture.right(), y));
+    eachLine(camera, view.up, picture.height(), [&](double offset, double value) {
+        const QString text = QString::fromStdString(fixedText(value, decimals));
         const double width = painter.fontMetrics().horizontalAdvance(text);
-        label({picture.right() - width - 6, y - 15, width, 13}, text);
+        label({picture.right() - width - 6, picture.center().y() - offset - 15}, value);
     });
     return places;
 }

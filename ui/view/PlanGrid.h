@@ -19,9 +19,12 @@ double gridSpacing_m(const ViewCamera& camera);
 /// and can carry coordinates.
 bool showsPlan(const ViewCamera& camera);
 
-/// The grid of such a picture, over its points, with coordinates in metres at its lower and right edge where
-/// `taken` leaves room. Returns the places of the coordinates.
-std::vector<QRectF> paintPlanGrid(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
-                                  const ViewCamera& camera, const std::vector<QRectF>& taken);
+/// The lines of such a picture's grid, over its points.
+void paintPlanGrid(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
+                   const ViewCamera& camera);
+
+/// Their coordinates in metres, at the lower and right edge where `taken` leaves room. Returns their places.
+std::vector<QRectF> paintPlanCoordinates(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
+                                         const ViewCamera& camera, const std::vector<QRectF>& taken);
 
 }  // namespace vestige

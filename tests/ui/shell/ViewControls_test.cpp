@@ -23,6 +23,7 @@
 #include "ui/jobs/InlineJobRunner.h"
 #include "ui/print/PdfPrinter.h"
 #include "ui/view/SceneView.h"
+#include "ui/view/SectionFrame.h"
 
 namespace vestige {
 namespace {
