@@ -9,9 +9,9 @@ namespace vestige {
 
 Report caseReport(const ReportInput& input) {
     // A new section is one more line here.
-    constexpr std::array sections{summarySection,      caseSection,   inputSection,    methodSection,
-                                  registrationSection, lengthSection, accuracySection, uncertaintySection,
-                                  notesSection,        originSection};
+    constexpr std::array sections{summarySection,      caseSection,        inputSection, methodSection,
+                                  registrationSection, lengthSection,      kindSection,  accuracySection,
+                                  checkSection,        uncertaintySection, notesSection, originSection};
     Report report;
     report.title = "Scene measurement report";
     report.subtitle = "Digital reconstruction of a road-accident scene from laser scans";

@@ -179,10 +179,15 @@ MethodAccuracy accuracyOf(const std::string& method, std::vector<MeasuredLength>
 MeasuredScene measureScene(const SceneState& scene) {
     MeasuredScene result;
     const std::vector<std::string> methods = methodsOf(scene);
+    result.kinds = measureKinds(scene, methods);
     for (const Measurement& measurement : scene.measurements)
         for (const std::string& method : methods)
-            result.lengths.push_back(measured(scene, measurement, method));
+            if (measurement.kind == MeasurementKind::distance)
+                result.lengths.push_back(measured(scene, measurement, method));
+            else if (auto row = lengthOfKind(result.kinds, measurement, method))
+                result.lengths.push_back(std::move(*row));
     for (const std::string& method : methods) result.accuracy.push_back(accuracyOf(method, result.lengths));
+    result.checks = distanceChecks(scene, result.lengths);
     return result;
 }
 

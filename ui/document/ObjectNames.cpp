@@ -2,11 +2,15 @@
 
 namespace vestige {
 
-std::string freeObjectName(const SceneState& scene) {
+std::string freeObjectName(const SceneState& scene, const std::string& word) {
     for (int n = 1;; ++n) {
-        std::string name = "Length " + std::to_string(n);
+        std::string name = word + " " + std::to_string(n);
         if (!scene.measurement(name)) return name;
     }
+}
+
+std::string shortLabel(const KindSpec& spec) {
+    return spec.label.substr(0, spec.label.find(" ("));
 }
 
 std::string methodOfKey(const SceneState& scene, const std::string& key) {
@@ -20,6 +24,9 @@ std::optional<PickPlace> lastPick(const Measurement& measurement, const SceneSta
     for (const auto& [key, pairs] : measurement.picks)
         if (!pairs.empty() && (method.empty() || methodOfKey(scene, key) == method))
             last = PickPlace{key, pairs.size() - 1};
+    for (const auto& [key, paths] : measurement.paths)
+        if (!paths.empty() && (method.empty() || methodOfKey(scene, key) == method))
+            last = PickPlace{key, paths.size() - 1, true};
     return last;
 }
 
@@ -27,6 +34,8 @@ std::size_t pickCount(const Measurement& measurement, const SceneState& scene, c
     std::size_t count = 0;
     for (const auto& [key, pairs] : measurement.picks)
         if (method.empty() || methodOfKey(scene, key) == method) count += pairs.size();
+    for (const auto& [key, paths] : measurement.paths)
+        if (method.empty() || methodOfKey(scene, key) == method) count += paths.size();
     return count;
 }
 

@@ -17,6 +17,7 @@
 #include "ui/actions/reactions/EditReactions.h"
 #include "ui/actions/reactions/ExportReactions.h"
 #include "ui/actions/reactions/FileReactions.h"
+#include "ui/actions/reactions/KindReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
 #include "ui/document/Attempts.h"
@@ -72,7 +73,8 @@ struct MainWindow::Private {
           registration(bench),
           compares(bench),
           views(bench),
-          exports(bench) {}
+          exports(bench),
+          kinds(bench) {}
 
     std::unique_ptr<ViewRenderer> renderer;
     std::unique_ptr<DocumentPrinter> printer;
@@ -102,6 +104,7 @@ struct MainWindow::Private {
     CompareReactions compares;
     ViewReactions views;
     ExportReactions exports;
+    KindReactions kinds;
     HeaderBar* header = nullptr;
     WorkArea* area = nullptr;
     StatusStrip* status = nullptr;

@@ -3,6 +3,7 @@
 #include <QAction>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/KindTools.h"
 #include "ui/document/Document.h"
 #include "ui/document/Wording.h"
 #include "ui/view/SceneView.h"
@@ -16,6 +17,7 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
       view_(view),
       orbit_(probe_),
       measure_(document, selection, notices, probe_),
+      path_(document, selection, notices, probe_),
       compare_(comparison) {
     view_.setGuard(&compare_);
     actions.onToggled("tool.orbit", [this](bool on) {
@@ -24,6 +26,12 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
     actions.onToggled("tool.distance", [this](bool on) {
         if (on) view_.setTool(&measure_);
     });
+    for (const auto& [id, kind] : kindTools())
+        actions.onToggled(id, [this, kind = kind](bool on) {
+            if (!on) return;
+            path_.setKind(kind);
+            view_.setTool(&path_);
+        });
     connect(&probe_, &HoverProbe::hovered, this, [this](const auto& pick) { describe(pick); });
     actions["tool.orbit"].setChecked(true);
 }

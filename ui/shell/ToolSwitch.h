@@ -7,6 +7,7 @@
 #include "ui/tools/HoverProbe.h"
 #include "ui/tools/MeasureTool.h"
 #include "ui/tools/OrbitTool.h"
+#include "ui/tools/PathTool.h"
 
 namespace vestige {
 
@@ -22,6 +23,7 @@ class ToolSwitch : public QObject {
                Notices& notices, SceneView& view, QObject* parent = nullptr);
     ~ToolSwitch() override;
     MeasureTool& measure() { return measure_; }
+    PathTool& path() { return path_; }
 
   signals:
     void hovered(const QString& coordinates, const QString& layer);
@@ -34,6 +36,7 @@ class ToolSwitch : public QObject {
     HoverProbe probe_;
     OrbitTool orbit_;
     MeasureTool measure_;
+    PathTool path_;
     CompareTool compare_;
 };
 

@@ -9,6 +9,7 @@
 #include "ui/document/Evidence.h"
 #include "ui/panels/AccuracyPanel.h"
 #include "ui/panels/AlignPanel.h"
+#include "ui/panels/BudgetPanel.h"
 #include "ui/panels/EvidencePanel.h"
 #include "ui/panels/FitPanel.h"
 #include "ui/panels/LayersPanel.h"
@@ -89,6 +90,7 @@ QWidget* WorkArea::makeMiddle() {
     area->setWelcome(welcome);
     connect(welcome, &WelcomePage::chosen, this, &WorkArea::chosen);
     connect(&tools_.measure(), &MeasureTool::hintChanged, area, &ViewArea::setHint);
+    connect(&tools_.path(), &PathTool::hintChanged, area, &ViewArea::setHint);
     const auto follow = [this, area] { area->showWelcome(bench_.document.state().layers.empty()); };
     connect(&bench_.document, &Document::changed, area, follow);
     follow();
@@ -104,6 +106,8 @@ QWidget* WorkArea::makeRight() {
     auto* table = new MeasurementsPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions);
     connect(&tools_.measure(), &MeasureTool::objectCreated, table, &MeasurementsPanel::editName);
     column->addWidget(table, 1);
+    connect(&tools_.path(), &PathTool::objectCreated, table, &MeasurementsPanel::editName);
+    column->addWidget(new BudgetPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions), 1);
     column->addWidget(new AccuracyPanel(bench_.document, bench_.selection));
     auto* tabs = new QTabWidget;
     tabs->setObjectName("right");

@@ -12,8 +12,10 @@
 #include "core/pipeline/FrameView.h"
 #include "ui/view/FrameBudget.h"
 #include "ui/view/Overlay.h"
+#include "ui/view/PendingPath.h"
 #include "ui/view/SceneDrawing.h"
 #include "ui/view/ViewMouse.h"
+#include "ui/view/ViewTheme.h"
 
 namespace vestige {
 namespace {
@@ -60,6 +62,7 @@ struct SceneView::Private {
     ViewTool* tool = nullptr;
     ViewTool* guard = nullptr;
     std::optional<ViewMark> pending;
+    std::vector<Eigen::Vector3d> pendingPath;
     std::vector<QRectF> covered;
     std::unique_ptr<ViewMouse> mouse;
 
@@ -82,6 +85,7 @@ struct SceneView::Private {
     }
 
     void paintOver(QPainter& painter) {
+        paintPendingPath(painter, viewTheme(description.theme), camera, pendingPath);
         paintOverlay(painter, {description, camera, drawing->scale(), pending, covered});
     }
 
@@ -250,6 +254,11 @@ void SceneView::setPendingMark(std::optional<ViewMark> mark) {
     d_->overlay->update();
 }
 
+void SceneView::setPendingPath(std::vector<Eigen::Vector3d> path) {
+    d_->pendingPath = std::move(path);
+    d_->overlay->update();
+}
+
 void SceneView::setCovered(std::vector<QRectF> covered) {
     d_->covered = std::move(covered);
     d_->overlay->update();
@@ -283,6 +292,8 @@ bool SceneView::offerTo(ViewTool& tool, QEvent& event) {
             return tool.mouseMove(*this, static_cast<QMouseEvent&>(event));
         case QEvent::MouseButtonRelease:
             return tool.mouseRelease(*this, static_cast<QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick:
+            return tool.mouseDoubleClick(*this, static_cast<QMouseEvent&>(event));
         default:
             return false;
     }
@@ -309,6 +320,11 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Wheel:
             break;
         case QEvent::MouseButtonDblClick:
+            offer(d_->tool);
+            return true;
+        case QEvent::ShortcutOverride:
+            if (!d_->tool || !d_->tool->wantsKey(static_cast<QKeyEvent&>(*event))) return false;
+            event->accept();
             return true;
         default:
             return false;

@@ -54,6 +54,9 @@ class SceneView : public QObject {
     /// A pair in the making: the first end and the point under the cursor; nothing hides it.
     void setPendingMark(std::optional<ViewMark> mark);
 
+    /// The points picked so far of a path, in world coordinates; empty for none.
+    void setPendingPath(std::vector<Eigen::Vector3d> path);
+
     /// What stands over the view (tool bars), in its pixels: legend and labels keep clear of it.
     void setCovered(std::vector<QRectF> covered);
 

@@ -17,6 +17,9 @@ class ViewTool {
     virtual bool mousePress(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseMove(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseRelease(SceneView&, const QMouseEvent&) { return false; }
+    virtual bool mouseDoubleClick(SceneView&, const QMouseEvent&) { return false; }
+    /// Keys that come to keyPress although they are shortcuts of the window.
+    virtual bool wantsKey(const QKeyEvent&) const { return false; }
     virtual bool keyPress(SceneView&, const QKeyEvent&) { return false; }
 };
 
