@@ -135,6 +135,7 @@ void BudgetPanel::fillSettings() {
         form_ = new ParameterForm(table);
         formKind_ = object.kind;
         settings_->layout()->addWidget(form_);
+        form_->show();
         connect(form_, &ParameterForm::edited, this,
                 [this](const std::string& key, const ParameterValue& value) {
                     document_.perform(setKindSetting(selection_.object(), key, numberOf(value)));
@@ -151,6 +152,8 @@ void BudgetPanel::fill() {
                             static_cast<QWidget*>(note_)})
         widget->setVisible(object != nullptr);
     empty_->setVisible(object == nullptr);
+    // Without an object the room is the table's.
+    setSizePolicy(QSizePolicy::Preferred, object ? QSizePolicy::Preferred : QSizePolicy::Maximum);
     if (!object) return tree_->showFigures(nullptr);
     for (int i = 0; i < kinds_->count(); ++i) {
         const auto kind = static_cast<MeasurementKind>(kinds_->itemData(i).toInt());
