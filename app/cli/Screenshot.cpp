@@ -22,6 +22,7 @@ struct Options {
     std::string color = "auto";
     std::string theme = "dark";
     double pointSize_px = 2;
+    double scale = 1;
     bool window = false;
     std::vector<std::string> actions;
 };
@@ -43,7 +44,7 @@ std::string sizeProblem(const std::string& text) {
 
 int runWindow(Session& session, const Options& options) {
     const auto [width, height] = *sizeFromText(options.size);
-    const OffscreenApplication application;
+    const OffscreenApplication application(options.scale);
     const Status drawn = drawWindow({options.inputs, options.out, *namedViewFromName(options.view),
                                      *overlayFromName(options.overlay), options.actions,
                                      *themeFromName(options.theme), width, height});
@@ -63,6 +64,8 @@ int runScreenshot(Session& session, const Options& options) {
         return session.failed(
             {ErrorCode::usage, "the window opens whole files", "--window", "leave out --every and --box"});
     if (options.window) return runWindow(session, options);
+    if (options.inputs.empty())
+        return session.failed({ErrorCode::usage, "no input is named", "INPUT", "a case, or clouds and meshes"});
     const JobControl& control = session.control();
     const Overlay overlay = *overlayFromName(options.overlay);
     Result<ViewDescription> view =
@@ -100,8 +103,8 @@ Run declareScreenshot(CLI::App& command) {
         .add_option(
             "INPUT", options->inputs,
             "One case (case.json, NAME.vestige), or any readable clouds and meshes; of these the first "
-            "is the target of the overlays.")
-        ->required();
+            "is the target of the overlays. None, with --window: the start page.")
+        ->type_name("FILE");
     command.add_option("--out", options->out, "The picture, a PNG file.")
         ->required()
         ->type_name("PNG")
@@ -136,6 +139,12 @@ Run declareScreenshot(CLI::App& command) {
     CLI::Option* window =
         command.add_flag("--window", options->window,
                          "The whole desktop window with the inputs opened, not the 3D view alone.");
+    command
+        .add_option("--scale", options->scale,
+                    "With --window: pixels of the picture for each of the window, as on a screen of high "
+                    "density. Default: 1.")
+        ->needs(window)
+        ->check(CLI::Range(1.0, 4.0));
     command
         .add_option("--action", options->actions,
                     "With --window: an action to trigger before the picture is made (register.watch, "

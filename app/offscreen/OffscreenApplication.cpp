@@ -30,10 +30,11 @@ struct OffscreenApplication::Private {
     std::unique_ptr<QApplication> application;
 };
 
-OffscreenApplication::OffscreenApplication() : d_(std::make_unique<Private>()) {
+OffscreenApplication::OffscreenApplication(double scale) : d_(std::make_unique<Private>()) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // The same picture on every machine, whatever the desktop of the user asks for.
-    qputenv("QT_SCALE_FACTOR", "1");
+    qputenv("QT_SCALE_FACTOR", QByteArray::number(scale));
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     qunsetenv("QT_QPA_PLATFORMTHEME");
     qunsetenv("QT_STYLE_OVERRIDE");
     qInstallMessageHandler(passOn);

@@ -7,11 +7,14 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string_view>
 
 #include "core/base/Version.h"
+#include "ui/document/LanguageSetting.h"
 #include "ui/print/PdfPrinter.h"
 #include "ui/shell/MainWindow.h"
+#include "ui/shell/UseLanguage.h"
 #include "ui/view/NativeSurface.h"
 #include "ui/view/PictureRenderer.h"
 
@@ -42,6 +45,8 @@ void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription("Rebuilds road-accident scenes from laser scans and measures them.");
     parser.addPositionalArgument(
         "case", "A case (case.json, NAME.vestige) or clouds and meshes to begin with.", "[CASE|FILE...]");
+    parser.addOption(
+        {"language", "en or zh_CN. Default: as chosen under View, at first the system's.", "LANGUAGE"});
     parser.addHelpOption();
     parser.addVersionOption();
 }
@@ -54,6 +59,22 @@ bool asksOnlyForWords(int argc, char** argv) {
     });
 }
 
+/// Until it is closed. What is open then stands in `paths` when it is to open again in another language.
+int showWindow(Language language, QStringList& paths) {
+    useLanguage(language);
+    QApplication::setQuitOnLastWindowClosed(true);
+    MainWindow window(nativeSurface(), nativeRenderer(), std::make_unique<PdfPrinter>());
+    QApplication::setWindowIcon(QIcon(":/icons/vestige.svg"));
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    window.keepEdits(std::filesystem::path(data.toStdString()) / "autosave");
+    window.show();
+    if (!paths.isEmpty()) window.open(paths);
+    const int code = QApplication::exec();
+    const auto& file = window.document().state().file;
+    paths = file.empty() ? QStringList() : QStringList(QString::fromStdString(file.string()));
+    return code;
+}
+
 int run(int argc, char** argv) {
     QCoreApplication::setOrganizationName("Vestige");
     QCoreApplication::setApplicationName("vestige");
@@ -64,20 +85,28 @@ int run(int argc, char** argv) {
         const QCoreApplication words(argc, argv);
         parser.process(words);
     }
+    // Screens of any density: everything is drawn at its own resolution, in steps as fine as the desktop's.
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     setNativeSurfaceFormat();
     Application application(argc, argv);
     // Numbers are written with a point everywhere; Qt has set the locale of the environment.
     std::setlocale(LC_NUMERIC, "C");
     parser.process(application);
 
-    MainWindow window(nativeSurface(), nativeRenderer(), std::make_unique<PdfPrinter>());
-    QApplication::setWindowIcon(QIcon(":/icons/vestige.svg"));
-    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    window.keepEdits(std::filesystem::path(data.toStdString()) / "autosave");
-    window.show();
-    const QStringList paths = parser.positionalArguments();
-    if (!paths.isEmpty()) window.open(paths);
-    return QApplication::exec();
+    std::optional<Language> language;
+    if (parser.isSet("language")) {
+        language = languageFromName(parser.value("language").toStdString());
+        if (!language) {
+            std::cerr << "vestige: --language: expected en or zh_CN\n";
+            return 2;
+        }
+    }
+    QStringList paths = parser.positionalArguments();
+    int code = showWindow(language.value_or(storedLanguage()), paths);
+    while (code == kOpenAgain) code = showWindow(storedLanguage(), paths);
+    return code;
 }
 
 }  // namespace

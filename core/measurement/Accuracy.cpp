@@ -52,17 +52,23 @@ MethodAccuracy methodAccuracy(std::string name, std::span<const AccuracyObject> 
     method.objects.assign(objects.begin(), objects.end());
     std::vector<double> relative;
     std::vector<double> absolute;
+    std::vector<double> large;
     for (auto& object : method.objects) {
         object.excluded = false;
         object.re = object.measured_m ? relativeError(*object.measured_m, object.tape_m) : std::nullopt;
         if (!object.re) continue;
         relative.push_back(*object.re);
+        if (object.small)
+            method.small.push_back(object.object);
+        else
+            large.push_back(*object.re);
         absolute.push_back(*object.measured_m - object.tape_m);
     }
     method.n = relative.size();
     method.meanRe = mean(relative);
     method.sd = sampleSd(relative, method.meanRe);
     method.rmseAll = rootMeanSquare(relative);
+    method.rmseLarge = rootMeanSquare(large);
     method.rmseAbsolute_m = rootMeanSquare(absolute);
     markExcluded(method);
 

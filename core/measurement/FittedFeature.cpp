@@ -29,4 +29,17 @@ std::optional<SnapMode> snapModeFromName(std::string_view name) {
     return std::nullopt;
 }
 
+FittedFeature moved(const FittedFeature& feature, const Similarity& toFromHere) {
+    const Eigen::Matrix3d turn = toFromHere.pose.linear();
+    const double scale = toFromHere.scale;
+    FittedFeature there = feature;
+    there.position = toFromHere * feature.position;
+    there.axis = turn * feature.axis;
+    there.covariance = scale * scale * turn * feature.covariance * turn.transpose();
+    there.radius *= scale;
+    there.radiusUncertainty *= scale;
+    there.rms *= scale;
+    return there;
+}
+
 }  // namespace vestige

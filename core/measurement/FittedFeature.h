@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/geometry/Pose.h"
+
 namespace vestige {
 
 /// What a pick means: the measured point itself, or a feature fitted to its neighbourhood.
@@ -19,6 +21,7 @@ struct FittedFeature {
     /// Unit: a plane's normal, an edge's direction, a circle's axis; zero for the others.
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of `position`
+    double axisUncertainty = 0;                            ///< standard, rad, of `axis`
     double radius = 0;                                     ///< of a circle
     double radiusUncertainty = 0;                          ///< standard
     double rms = 0;                                        ///< of the inliers' residuals
@@ -26,5 +29,8 @@ struct FittedFeature {
 
     friend bool operator==(const FittedFeature&, const FittedFeature&) = default;
 };
+
+/// The feature in another frame and unit.
+FittedFeature moved(const FittedFeature& feature, const Similarity& toFromHere);
 
 }  // namespace vestige

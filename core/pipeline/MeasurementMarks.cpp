@@ -21,6 +21,10 @@ std::string methodOf(const SceneState& scene, const std::string& key, const Pick
 std::optional<ViewMark> measurementMark(const SceneState& scene, const MeasuredLength& length) {
     const Measurement* measurement = scene.measurement(length.object);
     if (!measurement || !length.length) return std::nullopt;
+    if (length.fitted)
+        return ViewMark{length.a, length.b,
+                        measuredSentence(length.length->mean_m, length.length->expandedUncertainty_m), false,
+                        length.object};
     ViewMark mark{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                   measuredSentence(length.length->mean_m, length.length->expandedUncertainty_m), false,
                   length.object};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/Translation.h"
 #include "core/pipeline/CloseUp.h"
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
@@ -22,7 +23,7 @@ constexpr int kHalfHeight = 675;
 
 /// What a caption adds when the view was cropped in height.
 std::string heightNote(bool leftOut) {
-    return leftOut ? "; what hangs above is left out" : "";
+    return leftOut ? say("; what hangs above is left out") : "";
 }
 
 /// How far above the ends of a length its object may reach: a roof over the sills of a car, little over a
@@ -112,9 +113,10 @@ class Planner {
         keepLayers(view, placedLayers(scene_));
         if (view.layers.empty()) return;
         view.camera = frameView(view, NamedView::perspective, kWidth, kHeight);
-        add("overview-perspective", ReportPicture::Kind::overview, {}, "The site, coloured by height", view);
+        add("overview-perspective", ReportPicture::Kind::overview, {}, say("The site, coloured by height"),
+            view);
         view.camera = frameView(view, NamedView::top, kWidth, kHeight);
-        add("overview-top", ReportPicture::Kind::overview, {}, "The site from above, coloured by height",
+        add("overview-top", ReportPicture::Kind::overview, {}, say("The site from above, coloured by height"),
             view);
         measuredObjects();
     }
@@ -149,7 +151,7 @@ class Planner {
         const bool leftOut = cropView(view, scene_, box.centre(), 4 * radius, ceiling);
         view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.6});
         add("overview-objects", ReportPicture::Kind::overview, {},
-            "The measured objects, coloured by scan" + heightNote(leftOut), view);
+            say("The measured objects, coloured by scan") + heightNote(leftOut), view);
     }
 
     std::vector<ViewPath> placedPaths() const {
@@ -173,7 +175,9 @@ class Planner {
             view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.5});
             add("registration-" + slug(layer.id) + (before ? "-before" : "-after"),
                 before ? ReportPicture::Kind::before : ReportPicture::Kind::after, layer.id,
-                layer.name + (before ? " at its first pose" : " as registered") + ", over the global cloud" +
+                say(before ? "%1 at its first pose, over the global cloud"
+                           : "%1 as registered, over the global cloud",
+                    {layer.name}) +
                     heightNote(leftOut),
                 std::move(view));
         }
@@ -212,7 +216,8 @@ class Planner {
         view.marks = {mark};
         view.marks.front().highlighted = true;
         add("length-" + twoDigits(number) + "-" + slug(length.object), ReportPicture::Kind::closeUp,
-            length.object, length.object + ", by " + length.method + ": " + mark.label + heightNote(leftOut),
+            length.object,
+            say("%1, by %2: %3", {length.object, say(length.method), mark.label}) + heightNote(leftOut),
             std::move(view));
     }
 

@@ -1,4 +1,5 @@
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
 #include "core/scene/FileEvidence.h"
@@ -44,7 +45,7 @@ Section inputSection(const ReportInput& input) {
         const Layer& layer = input.scene.layers[i];
         if (!layer.data) continue;
         const FileInfo& info = layer.data->info;
-        table.rows.push_back({std::to_string(i + 1), layer.name, std::string(name(layer.role)),
+        table.rows.push_back({std::to_string(i + 1), layer.name, say(name(layer.role)),
                               layer.path.filename().string(),
                               info.format + (info.version.empty() ? "" : " " + info.version),
                               std::string(symbol(layer.lengthUnit())), grouped(layer.data->points->size()),

@@ -79,6 +79,8 @@ struct Report {
     std::string date;  ///< as people read it: readableDate()
     std::string software;
     std::vector<Section> sections;
+    std::vector<std::string>
+        names;  ///< that people gave: case, operator, layers, objects, files; never translated
 };
 
 }  // namespace vestige

@@ -1,4 +1,5 @@
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/report/BudgetBlocks.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
@@ -29,7 +30,7 @@ Section uncertaintySection(const ReportInput& input) {
     table.numeric = {false, false, true};
     for (const auto& layer : input.scene.layers)
         table.rows.push_back(
-            {layer.name, std::string(name(layer.role)), fixedText(1000 * sensorNoise_m(layer.role), 1)});
+            {layer.name, say(name(layer.role)), fixedText(1000 * sensorNoise_m(layer.role), 1)});
     section.blocks.push_back(std::move(table));
 
     double largest = 0;

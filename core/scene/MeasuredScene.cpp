@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/Units.h"
+#include "core/measurement/fit/FittedLength.h"
 #include "core/scene/PickFrame.h"
 
 namespace vestige {
@@ -70,10 +72,15 @@ struct Repeats {
     std::vector<std::string> layers;
     std::vector<std::string> absentLayers;
     std::size_t withoutCommonFrame = 0;
+    std::size_t withoutFeature = 0;
+    Eigen::Vector3d sumA = Eigen::Vector3d::Zero();
+    Eigen::Vector3d sumB = Eigen::Vector3d::Zero();
+    double beam_m = 0;
     // Sums over the repeats; their means go into the statistic.
     double noiseA = 0, noiseB = 0, spacingA = 0, spacingB = 0, pose = 0;
 
-    void add(const SceneState& scene, const PickedPair& pair) {
+    /// `fitted`: by the features round the picks; a pair that has none at either end is left out.
+    void add(const SceneState& scene, const PickedPair& pair, bool fitted) {
         bool complete = true;
         for (const PickedPoint* end : {&pair.a, &pair.b}) {
             const bool present = scene.layer(end->layer) != nullptr;
@@ -91,12 +98,27 @@ struct Repeats {
             ++withoutCommonFrame;
             return;
         }
-        const EndPair ends{scenePosition(scene, pair.a), scenePosition(scene, pair.b)};
-        lengths_m.push_back(ends.length_m());
-        noiseA += square(sensorNoise_m(layerA.role));
-        noiseB += square(sensorNoise_m(layerB.role));
-        spacingA += square(localSpacing_m(scene, pair.a));
-        spacingB += square(localSpacing_m(scene, pair.b));
+        if (fitted && !pair.a.fitted && !pair.b.fitted) {
+            ++withoutFeature;
+            return;
+        }
+        EndPair ends{scenePosition(scene, pair.a), scenePosition(scene, pair.b)};
+        if (fitted) {
+            const FittedLength length = fittedLength(fittedEnd(scene, pair.a), fittedEnd(scene, pair.b));
+            lengths_m.push_back(length.length_m);
+            // Repeats fit to the same points: their error stays, however many there are.
+            noiseA += length.variance_m2;
+            ends = {length.a, length.b};
+        } else {
+            lengths_m.push_back(ends.length_m());
+            noiseA += square(sensorNoise_m(layerA.role));
+            noiseB += square(sensorNoise_m(layerB.role));
+            spacingA += square(localSpacing_m(scene, pair.a));
+            spacingB += square(localSpacing_m(scene, pair.b));
+        }
+        sumA += ends.a;
+        sumB += ends.b;
+        beam_m = std::max({beam_m, sensorBeam_m(layerA.role), sensorBeam_m(layerB.role)});
         if (sameLayer) return;
         const Eigen::Vector3d along = (ends.b - ends.a).normalized();
         pose += squaredPoseShare(layerA, ends.a, along) + squaredPoseShare(layerB, ends.b, along);
@@ -109,6 +131,22 @@ struct Repeats {
         };
         return lengthStatistic(lengths_m, {rms(noiseA), rms(spacingA)}, {rms(noiseB), rms(spacingB)},
                                rms(pose));
+    }
+
+    /// What was fitted at an end; the point itself, with the sensor's noise, where nothing was.
+    static FittedEnd fittedEnd(const SceneState& scene, const PickedPoint& point) {
+        FittedEnd end{scenePosition(scene, point), {}};
+        if (auto feature = sceneFeature(scene, point)) {
+            end.feature = std::move(*feature);
+            return end;
+        }
+        end.feature.mode = SnapMode::point;
+        end.feature.position = end.pick;
+        const double u2 =
+            square(EndUncertainty{sensorNoise_m(scene.layer(point.layer)->role), localSpacing_m(scene, point)}
+                       .standard_m());
+        end.feature.covariance = u2 * Eigen::Matrix3d::Identity();
+        return end;
     }
 
     static void remember(std::vector<std::string>& names, const std::string& name) {
@@ -131,11 +169,16 @@ std::string noteOf(const Repeats& repeats) {
     if (repeats.withoutCommonFrame > 0)
         add(std::to_string(repeats.withoutCommonFrame) +
             " repeats left out: their ends lie on layers that are not registered to each other");
+    if (repeats.withoutFeature > 0)
+        add(std::to_string(repeats.withoutFeature) +
+            " repeats left out: no feature was fitted at either end");
     if (repeats.lengths_m.size() == 1) add("one repeat only, so no uncertainty");
     return note;
 }
 
-MeasuredLength measured(const SceneState& scene, const Measurement& measurement, const std::string& method) {
+MeasuredLength measured(const SceneState& scene, const Measurement& measurement, const std::string& method,
+                        bool fitted) {
+    constexpr double kSpots = 3;
     constexpr double kTapeResolution_m = 0.01;
     Repeats repeats;
     for (const auto& key : orderedKeys(scene, measurement)) {
@@ -143,19 +186,33 @@ MeasuredLength measured(const SceneState& scene, const Measurement& measurement,
             const std::string countsFor = methodOf(scene, key, pair);
             // Nothing in this case tells the method of picks on layers it lacks: every row without a length
             // says so.
-            if (countsFor == method || countsFor.empty()) repeats.add(scene, pair);
+            if (countsFor == method || countsFor.empty()) repeats.add(scene, pair, fitted);
         }
     }
     MeasuredLength row;
     row.object = measurement.object;
-    row.method = method;
+    row.method = fitted ? fittedMethod(method) : method;
+    row.fitted = fitted;
     row.tape_m = measurement.tape_m;
     row.tapeUncertainty_m = tapeUncertainty(measurement.tapeResolution_m.value_or(kTapeResolution_m));
     row.length = repeats.statistic();
     if (row.length && row.tape_m) row.re = relativeError(row.length->mean_m, *row.tape_m);
     row.layers = repeats.layers;
     row.note = noteOf(repeats);
+    if (!row.length) return row;
+    row.a = repeats.sumA / static_cast<double>(repeats.lengths_m.size());
+    row.b = repeats.sumB / static_cast<double>(repeats.lengths_m.size());
+    row.small = row.tape_m.value_or(row.length->mean_m) < kSpots * repeats.beam_m;
     return row;
+}
+
+/// True when some pick that counts for the method has a feature fitted round it.
+bool hasFittedPicks(const SceneState& scene, const std::string& method) {
+    for (const Measurement& measurement : scene.measurements)
+        for (const auto& [key, pairs] : measurement.picks)
+            for (const PickedPair& pair : pairs)
+                if ((pair.a.fitted || pair.b.fitted) && methodOf(scene, key, pair) == method) return true;
+    return false;
 }
 
 /// The accuracy of one method from its rows, and its exclusions back into them.
@@ -166,7 +223,7 @@ MethodAccuracy accuracyOf(const std::string& method, std::vector<MeasuredLength>
         if (row.method != method || !row.tape_m) continue;
         std::optional<double> mean;
         if (row.length) mean = row.length->mean_m;
-        objects.push_back({row.object, *row.tape_m, mean, {}, false});
+        objects.push_back({row.object, *row.tape_m, mean, {}, false, row.small});
         rows.push_back(&row);
     }
     MethodAccuracy accuracy = methodAccuracy(method, objects);
@@ -178,17 +235,43 @@ MethodAccuracy accuracyOf(const std::string& method, std::vector<MeasuredLength>
 
 MeasuredScene measureScene(const SceneState& scene) {
     MeasuredScene result;
+    struct Way {
+        std::string method;
+        bool fitted;
+    };
+    std::vector<Way> ways;
     const std::vector<std::string> methods = methodsOf(scene);
+    for (const std::string& method : methods) {
+        ways.push_back({method, false});
+        if (hasFittedPicks(scene, method)) ways.push_back({method, true});
+    }
     result.kinds = measureKinds(scene, methods);
     for (const Measurement& measurement : scene.measurements)
-        for (const std::string& method : methods)
+        for (const Way& way : ways) {
+            const std::string method = way.fitted ? fittedMethod(way.method) : way.method;
             if (measurement.kind == MeasurementKind::distance)
-                result.lengths.push_back(measured(scene, measurement, method));
+                result.lengths.push_back(measured(scene, measurement, way.method, way.fitted));
             else if (auto row = lengthOfKind(result.kinds, measurement, method))
                 result.lengths.push_back(std::move(*row));
-    for (const std::string& method : methods) result.accuracy.push_back(accuracyOf(method, result.lengths));
+        }
+    for (const Way& way : ways)
+        result.accuracy.push_back(
+            accuracyOf(way.fitted ? fittedMethod(way.method) : way.method, result.lengths));
     result.checks = distanceChecks(scene, result.lengths);
     return result;
+}
+
+std::string fittedMethod(const std::string& method) {
+    return method + " fitted";
+}
+
+SensorSpot sensorSpot(LayerRole role) {
+    return role == LayerRole::aerial ? SensorSpot{radians(0.28), radians(0.03)} : SensorSpot{};
+}
+
+double sensorBeam_m(LayerRole role) {
+    constexpr double kRange_m = 15;
+    return kRange_m * sensorSpot(role).upright_rad;
 }
 
 double sensorNoise_m(LayerRole role) {

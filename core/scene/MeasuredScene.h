@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,12 @@ struct MeasuredLength {
     bool excluded = false;
     std::vector<std::string> layers;  ///< ids the picks lie on
     std::string note;                 ///< why it is not measurable, or what to know
+    bool fitted = false;              ///< between fitted features instead of the points picked
+    /// Shorter than three spots of the beam that measured it: what is found is more the beam than the object.
+    bool small = false;
+    /// Where the repeats begin and end on average, scene, m.
+    Eigen::Vector3d a = Eigen::Vector3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
 };
 
 struct MeasuredScene {
@@ -32,8 +39,22 @@ struct MeasuredScene {
 };
 
 /// METHOD section 5 on the picks of the scene. Methods are those of the scene's layers (and of picks), in
-/// layer order. Pure: window, command line and report call it and cannot disagree.
+/// layer order; behind a method whose picks have fitted features stands fittedMethod() of it, the same picks
+/// by their features. Pure: window, command line and report call it and cannot disagree.
 MeasuredScene measureScene(const SceneState& scene);
+
+/// The name of the method that takes what was fitted round the picks of `method`: "lidar fitted".
+std::string fittedMethod(const std::string& method);
+
+/// Full width of a sensor's beam at half power, upright and level, rad: METHOD section 1 (aerial 0.28 x 0.03
+/// degrees); 0 for the others, whose spot is smaller than their spacing.
+struct SensorSpot {
+    double upright_rad = 0;
+    double level_rad = 0;
+};
+SensorSpot sensorSpot(LayerRole role);
+/// The longer side of the spot at the working range (15 m): 0.073 m for the aerial scanner.
+double sensorBeam_m(LayerRole role);
 
 /// 1 sigma noise of a layer's sensor: METHOD section 1 (aerial 0.03 m, handheld 0.0001 m, photogrammetry 0.05
 /// m).

@@ -19,6 +19,11 @@ Eigen::Vector3d scenePosition(const SceneState& scene, const PickedPoint& point)
     return sceneFromPick(scene, point) * point.position;
 }
 
+std::optional<FittedFeature> sceneFeature(const SceneState& scene, const PickedPoint& point) {
+    if (!point.fitted) return std::nullopt;
+    return moved(*point.fitted, sceneFromPick(scene, point));
+}
+
 bool inTargetFrame(const SceneState& scene, const PickedPoint& point) {
     const Layer* layer = scene.layer(point.layer);
     if (!layer) return false;
@@ -27,10 +32,13 @@ bool inTargetFrame(const SceneState& scene, const PickedPoint& point) {
 }
 
 PickedPoint pickAt(const SceneState& scene, const std::string& layer, const Eigen::Vector3d& world_m,
-                   std::optional<double> localSpacing_m) {
+                   std::optional<double> localSpacing_m, const std::optional<FittedFeature>& fitted) {
     const Layer* found = scene.layer(layer);
-    if (!found || isPlaced(scene, *found)) return {layer, world_m, localSpacing_m, false};
-    return {layer, sceneFromLayer(*found).inverse() * world_m, localSpacing_m, true};
+    if (!found || isPlaced(scene, *found)) return {layer, world_m, localSpacing_m, false, fitted};
+    const Similarity layerFromScene = sceneFromLayer(*found).inverse();
+    PickedPoint point{layer, layerFromScene * world_m, localSpacing_m, true};
+    if (fitted) point.fitted = moved(*fitted, layerFromScene);
+    return point;
 }
 
 std::optional<ViewCamera> cameraInScene(const SceneState& scene, const std::string& view) {

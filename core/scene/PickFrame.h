@@ -24,9 +24,14 @@ Eigen::Vector3d scenePosition(const SceneState& scene, const PickedPoint& point)
 /// something.
 bool inTargetFrame(const SceneState& scene, const PickedPoint& point);
 
-/// The point to record for a pick at `world_m` (scene metres) on a layer of the scene.
+/// What was fitted round the picked point, in the scene, metres; nothing where nothing was.
+std::optional<FittedFeature> sceneFeature(const SceneState& scene, const PickedPoint& point);
+
+/// The point to record for a pick at `world_m` (scene metres) on a layer of the scene, with what was fitted
+/// round it (scene, metres).
 PickedPoint pickAt(const SceneState& scene, const std::string& layer, const Eigen::Vector3d& world_m,
-                   std::optional<double> localSpacing_m = std::nullopt);
+                   std::optional<double> localSpacing_m = std::nullopt,
+                   const std::optional<FittedFeature>& fitted = std::nullopt);
 
 /// The named view in scene metres; a camera bound to a layer (SceneState::viewFrames) moves along with it.
 /// Nothing when the view, or the layer it is bound to, is absent.

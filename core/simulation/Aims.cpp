@@ -109,7 +109,7 @@ class Analyst {
                 const auto seen = camera.project(end.layer->layerFromSite * end.feature->position);
                 const Eigen::Vector2d error(random.normal(0, options_.sigma_px),
                                             random.normal(0, options_.sigma_px));
-                pair[i] = {names[i], seen->pixel + error, end.layer->id};
+                pair[i] = {names[i], seen->pixel + error, end.layer->id, end.feature->snap};
             }
             repeats.push_back(pair);
         }

@@ -30,6 +30,7 @@ struct SimulatedAim {
     std::string view;
     Eigen::Vector2d pixel;
     std::string layer;
+    std::string snap{};  ///< the feature's; empty: nothing is fitted
 };
 
 struct AimedMeasurement {

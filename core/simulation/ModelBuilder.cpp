@@ -82,8 +82,9 @@ void ModelBuilder::lathe(const Point& centre, const Point& axis, const Point& re
     grid(static_cast<int>(profile.size()) - 1, segments, at);
 }
 
-void ModelBuilder::feature(const std::string& name, const Point& position, const Point& lookFrom) {
-    model_.features.push_back({name, position, part_, lookFrom.normalized()});
+void ModelBuilder::feature(const std::string& name, const Point& position, const Point& lookFrom,
+                           const std::string& snap) {
+    model_.features.push_back({name, position, part_, lookFrom.normalized(), snap});
 }
 
 }  // namespace vestige

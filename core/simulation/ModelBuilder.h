@@ -38,7 +38,8 @@ class ModelBuilder {
     /// vertices exactly on `reference`, its opposite, and at right angles to it.
     void lathe(const Point& centre, const Point& axis, const Point& reference,
                const std::vector<std::pair<double, double>>& profile, int segments);
-    void feature(const std::string& name, const Point& position, const Point& lookFrom);
+    void feature(const std::string& name, const Point& position, const Point& lookFrom,
+                 const std::string& snap = {});
     void light(const Point& position) { model_.lights.push_back(position); }
     void append(const SurfaceModel& other, const Pose& hereFromOther, const std::string& prefix) {
         model_.append(other, hereFromOther, prefix);

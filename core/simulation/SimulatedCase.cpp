@@ -55,8 +55,10 @@ Json viewsJson(const Aiming& aiming) {
 }
 
 Json aimJson(const SimulatedAim& aim) {
-    return {
+    Json json{
         {"view", aim.view}, {"pixel", {aim.pixel.x(), aim.pixel.y()}}, {"layers", Json::array({aim.layer})}};
+    if (!aim.snap.empty()) json["snap"] = aim.snap;
+    return json;
 }
 
 Json measurementsJson(const Aiming& aiming) {

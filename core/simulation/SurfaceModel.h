@@ -18,6 +18,7 @@ struct FeaturePoint {
     Eigen::Vector3d position;
     std::uint16_t part = 0;    ///< the part it lies on
     Eigen::Vector3d lookFrom;  ///< unit vector from the feature to a good viewpoint
+    std::string snap{};        ///< what an analyst would fit there ("edge"); empty: nothing
 };
 
 /// One face of a model: its corners, what it is made of, and which part of the object it belongs to.

@@ -25,6 +25,7 @@ struct Situation {
     bool hasPicks = false;  ///< of the selected object
     bool hasMeasured = false;
     bool hasAims = false;
+    bool anyPicks = false;  ///< of any object
 };
 
 /// One thing the user can do, said once: menus, tool bars, tool tips and the documentation read it here.

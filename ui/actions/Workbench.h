@@ -15,9 +15,11 @@ class DocumentPrinter;
 class Evidence;
 class FileChooser;
 class FitTrace;
+class History;
 class JobRunner;
 class Loader;
 class Notices;
+class Outputs;
 class Presentation;
 class Preview;
 class RecentFiles;
@@ -40,6 +42,8 @@ struct Workbench {
     Loader& loader;
     Evidence& evidence;
     RecentFiles& recent;
+    History& history;
+    Outputs& outputs;
     std::unique_ptr<FileChooser>& chooser;  ///< may be exchanged while the window lives
     std::unique_ptr<Autosave>& autosave;    ///< null where edits are not kept
     ViewRenderer* renderer;                 ///< safe to call from a job; may be null, as the printer

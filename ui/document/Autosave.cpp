@@ -6,6 +6,7 @@
 
 #include "core/scene/CaseFile.h"
 #include "ui/document/Document.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
 namespace {
@@ -90,14 +91,15 @@ void Autosave::watch() {
         emit changed();
         return;
     }
-    const QString what = step == step_  ? tr("note what the file is")
-                         : step > step_ ? document_.undoText()
-                                        : tr("undo %1").arg(document_.redoText());
+    // The journal is in English, whatever language the window speaks.
+    const std::string what = step == step_  ? "note what the file is"
+                             : step > step_ ? document_.lastEdit()
+                                            : "undo " + document_.nextEdit();
     step_ = step;
     notes_ = notes;
     ++count_;
     if (state_ != State::failed) state_ = State::writing;
-    enqueue({{what.toStdString(), withoutData(document_.state())}});
+    enqueue({{what, withoutData(document_.state())}});
     emit changed();
 }
 
@@ -113,7 +115,7 @@ void Autosave::forget(std::shared_ptr<CaseSession> session) {
 }
 
 void Autosave::tell(const CaseSession::Kept& kept, quint64 last) {
-    const QString problem = QString::fromStdString(kept.problem);
+    const QString problem = said(kept.problem);
     const bool news = problem != problem_;
     problem_ = problem;
     const State before = state_;
@@ -172,7 +174,7 @@ Status Autosave::save(const std::filesystem::path& file) {
 }
 
 QString Autosave::readOnly() const {
-    return QString::fromStdString(session_->readOnly());
+    return said(session_->readOnly());
 }
 
 QString Autosave::text() const {

@@ -42,12 +42,20 @@ void Document::redo() {
     scene_.redo();
 }
 
+void Document::travel(int steps) {
+    if (steps == 0) return;
+    ++open_;
+    for (; steps < 0 && canUndo(); ++steps) scene_.undo();
+    for (; steps > 0 && canRedo(); --steps) scene_.redo();
+    if (--open_ == 0) update();
+}
+
 QString Document::undoText() const {
-    return QString::fromStdString(scene_.undoText());
+    return said(scene_.undoText());
 }
 
 QString Document::redoText() const {
-    return QString::fromStdString(scene_.redoText());
+    return said(scene_.redoText());
 }
 
 QString Document::title() const {

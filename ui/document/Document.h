@@ -31,8 +31,15 @@ class Document : public QObject {
     bool canRedo() const { return scene_.canRedo(); }
     void undo();
     void redo();
+    /// Takes that many steps back (negative) or does them again, as far as there are any; `changed` comes
+    /// once.
+    void travel(int steps);
+    /// In the language of the window.
     QString undoText() const;
     QString redoText() const;
+    /// What undo would take back, and redo do again, as the history and the journal have it: in English.
+    std::string lastEdit() const { return scene_.undoText(); }
+    std::string nextEdit() const { return scene_.redoText(); }
 
     bool modified() const { return scene_.modified(); }
     /// The case's name, else the file's, else "Untitled case".

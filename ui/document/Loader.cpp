@@ -170,7 +170,7 @@ void Loader::open(const std::shared_ptr<CaseSession>& session, SceneState saved,
     document_.replace(std::move(saved));
     const bool restored =
         unsaved && document_.perform(restoreState(std::move(unsaved->state), "recover unsaved changes"));
-    if (restored && !unsaved->sentence.empty()) emit recovered(QString::fromStdString(unsaved->sentence));
+    if (restored && !unsaved->sentence.empty()) emit recovered(said(unsaved->sentence));
     if (edited && autosave_)
         notices_.warn(again
                           ? tr("%1 was changed while it was opened again. These changes are in place, as one "
@@ -268,7 +268,7 @@ void Loader::enter(const std::vector<Layer>& layers) {
     if (layers.empty()) return;
     QStringList names;
     for (const Layer& layer : layers) names << QString::fromStdString(layer.name);
-    document_.begin(tr("add %1").arg(names.join(", ")));
+    document_.begin("add " + names.join(", "));
     for (Layer layer : layers) {
         noteEvidence(layer);
         document_.perform(addLayer(std::move(layer)));
@@ -310,7 +310,7 @@ void Loader::dropPreviews() {
 
 void Loader::remark(const std::vector<std::string>& remarks) {
     QStringList sentences;
-    for (const std::string& sentence : remarks) sentences << QString::fromStdString(sentence);
+    for (const std::string& sentence : remarks) sentences << said(sentence);
     if (!sentences.isEmpty()) notices_.inform(sentences.join("\n"));
 }
 
@@ -336,11 +336,10 @@ void Loader::tell(const Loaded& loaded, bool added) {
     std::vector<Notices::Offer> offers;
     if (!added)
         for (const Layer& layer : document_.state().layers)
-            if (const auto difference = evidenceDifference(layer))
-                sentences << QString::fromStdString(*difference) + ".";
+            if (const auto difference = evidenceDifference(layer)) sentences << saidSentence(*difference);
     for (const auto& [file, problem] : loaded.unread) {
         problems_.push_back(problem);
-        sentences << QString::fromStdString(problem.sentence()) + ".";
+        sentences << saidSentence(problem);
         if (!problem.salvageable) continue;
         const QString text = loaded.unread.size() == 1
                                  ? tr("Load what is whole")
@@ -408,8 +407,8 @@ void Loader::offer(const TooLarge& large) {
         part.data = nullptr;
         offers.push_back({tr("Load only where the other layers are"), [load, part] { load(part); }});
     }
-    notices_.offer(toQt(large.layer.path.filename()) + ": " + toQt(large.check.estimate.sentence()) +
-                       tr(". It was not read."),
+    notices_.offer(tr("%1: %2. It was not read.")
+                       .arg(toQt(large.layer.path.filename()), said(large.check.estimate.sentence())),
                    offers);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/Error.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
 
@@ -35,7 +36,7 @@ class Notices : public QObject {
         if (error.code == ErrorCode::cancelled)
             emit informed(tr("Cancelled; nothing was changed."));
         else
-            emit warned(QString::fromStdString(error.sentence()) + ".");
+            emit warned(saidSentence(error));
     }
 
   signals:

@@ -1,10 +1,13 @@
 #include "ui/document/ObjectNames.h"
 
+#include "core/base/Translation.h"
+
 namespace vestige {
 
 std::string freeObjectName(const SceneState& scene, const std::string& word) {
     for (int n = 1;; ++n) {
-        std::string name = word + " " + std::to_string(n);
+        std::string name =
+            word.empty() ? say("Length %1", {std::to_string(n)}) : word + " " + std::to_string(n);
         if (!scene.measurement(name)) return name;
     }
 }

@@ -9,7 +9,7 @@
 namespace vestige {
 
 /// "Length 1", "Length 2", ...: the first that no object of the case has.
-std::string freeObjectName(const SceneState& scene, const std::string& word = "Length");
+std::string freeObjectName(const SceneState& scene, const std::string& word = {});
 
 /// The first words of a kind's label: "Arc" of "Arc (yaw mark)".
 std::string shortLabel(const KindSpec& spec);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QStringList>
+#include <vector>
 
 namespace vestige {
 
@@ -10,10 +12,19 @@ class RecentFiles : public QObject {
     Q_OBJECT
 
   public:
+    struct Entry {
+        QString path;
+        QDateTime opened;  ///< invalid where it is not known
+        bool exists = true;
+    };
+
     using QObject::QObject;
-    /// Those that still exist, at most eight.
+    /// At most eight, those that are gone, too: they may lie on a drive that is not plugged in.
+    std::vector<Entry> entries() const;
+    /// Those that still exist.
     QStringList paths() const;
     void add(const QString& path);
+    void remove(const QString& path);
     void clear();
 
   signals:

@@ -44,7 +44,7 @@ EvidencePanel::EvidencePanel(Document& document, Evidence& evidence, QWidget* pa
       list_(new CompactList(tr("Files are hashed (SHA-256) as they are read."))) {
     list_->tree().setObjectName("evidence");
     list_->tree().setSelectionMode(QAbstractItemView::NoSelection);
-    list_->tree().setFocusPolicy(Qt::NoFocus);
+    list_->tree().setAccessibleName(tr("Evidence"));
     setContent(list_);
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&evidence_, &Evidence::changed, this, [this] { fill(); });
@@ -63,8 +63,7 @@ void EvidencePanel::fill() {
         row->setForeground(1, colorFor(state));
         QString tip = toQt(layer.path);
         if (layer.data) tip += "\nSHA-256 " + QString::fromStdString(layer.data->sha256);
-        if (const auto difference = evidenceDifference(layer))
-            tip += "\n" + QString::fromStdString(*difference);
+        if (const auto difference = evidenceDifference(layer)) tip += "\n" + said(*difference);
         row->setToolTip(0, tip);
         row->setToolTip(1, tip);
         tree.addTopLevelItem(row);

@@ -150,7 +150,7 @@ QString MeasurementsModel::tipAt(int row) const {
     if (found->tape_m)
         lines << tr("The tape itself is good to %1 m (1 SD)").arg(uncertaintyText(found->tapeUncertainty_m));
     if (found->excluded) lines << tr("Excluded from RMSE: |RE| is beyond 2 SD");
-    if (!found->note.empty()) lines << QString::fromStdString(found->note);
+    if (!found->note.empty()) lines << said(found->note);
     return lines.join("\n");
 }
 
@@ -193,8 +193,8 @@ QVariant MeasurementsModel::headerData(int section, Qt::Orientation orientation,
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>((section == object ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
-    static const char* const titles[] = {"Object", "Tape m", "Measured", "U 95 %", "RE %"};
-    return tr(titles[section]);
+    const QString titles[] = {tr("Object"), tr("Tape m"), tr("Measured"), tr("U 95 %"), tr("RE %")};
+    return titles[section];
 }
 
 Qt::ItemFlags MeasurementsModel::flags(const QModelIndex& index) const {

@@ -40,7 +40,7 @@ QStringList methodsOf(const MeasuredScene& measured) {
 QString repeatsText(const MeasuredScene& measured, const std::string& object, const std::string& method) {
     for (const MeasuredLength& length : measured.lengths) {
         if (length.object != object || length.method != method) continue;
-        if (!length.length) return QString::fromStdString(length.note);
+        if (!length.length) return said(length.note);
         QStringList repeats;
         for (const double repeat : length.length->repeats_m)
             repeats << toQt(measuredText(repeat, length.length->expandedUncertainty_m).value);
@@ -83,6 +83,7 @@ MeasurementsPanel::MeasurementsPanel(Document& document, Selection& selection, N
       repeats_(new QLabel),
       verified_(new QLabel) {
     methods_->setObjectName("methods");
+    methods_->setAccessibleName(tr("Method"));
     methods_->setToolTip(tr("The method whose figures are shown"));
     methods_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     addToHeading(methods_);
@@ -111,8 +112,8 @@ MeasurementsPanel::MeasurementsPanel(Document& document, Selection& selection, N
     setContent(verified_);
     onPaletteChange(*this, [this] { showVerification(); });
     connect(model_, &MeasurementsModel::refused, &notices, &Notices::warned);
-    connect(methods_, &QComboBox::textActivated, this,
-            [this](const QString& method) { selection_.setMethod(method.toStdString()); });
+    connect(methods_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int index) { selection_.setMethod(methods_->itemData(index).toString().toStdString()); });
     connect(&document_, &Document::changed, this, [this] {
         fillMethods();
         follow();
@@ -128,12 +129,13 @@ MeasurementsPanel::MeasurementsPanel(Document& document, Selection& selection, N
 
 void MeasurementsPanel::makeTable() {
     table_->setObjectName("measurements");
+    table_->setAccessibleName(tr("Measurements"));
     table_->setModel(model_);
     table_->setFrameShape(QFrame::NoFrame);
     table_->setShowGrid(false);
     table_->setWordWrap(true);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed | QAbstractItemView::SelectedClicked);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -154,17 +156,17 @@ void MeasurementsPanel::makeTable() {
 void MeasurementsPanel::fillMethods() {
     const QStringList methods = methodsOf(document_.measured());
     QStringList shown;
-    for (int i = 0; i < methods_->count(); ++i) shown << methods_->itemText(i);
+    for (int i = 0; i < methods_->count(); ++i) shown << methods_->itemData(i).toString();
     if (methods != shown) {
         methods_->clear();
-        methods_->addItems(methods);
+        for (const QString& method : methods) methods_->addItem(said(method.toStdString()), method);
     }
     methods_->setVisible(methods.size() > 1);
     const QString wanted = QString::fromStdString(selection_.method());
     if (!methods.isEmpty() && !methods.contains(wanted))
         selection_.setMethod(methods.front().toStdString());
     else
-        methods_->setCurrentText(wanted);
+        methods_->setCurrentIndex(methods_->findData(wanted));
 }
 
 void MeasurementsPanel::follow() {

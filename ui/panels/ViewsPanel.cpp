@@ -5,6 +5,7 @@
 #include <QTreeWidget>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/ActionText.h"
 #include "ui/panels/PanelColors.h"
 
 namespace vestige {
@@ -12,11 +13,12 @@ namespace vestige {
 ViewsPanel::ViewsPanel(const ActionCatalog& actions, QWidget* parent) : PanelSection(tr("Views"), parent) {
     auto* list = new CompactList({});
     list->tree().setObjectName("views");
+    list->tree().setAccessibleName(tr("Views"));
     list->tree().setSelectionMode(QAbstractItemView::NoSelection);
     for (const char* id : {"view.perspective", "view.top", "view.front", "view.left", "view.iso"}) {
         const QAction& action = actions[id];
         auto* row = new QTreeWidgetItem;
-        row->setText(0, action.text().remove('&'));
+        row->setText(0, withoutMnemonic(action.text()));
         row->setText(1, action.shortcut().toString(QKeySequence::NativeText));
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         row->setData(0, Qt::UserRole, QString(id));

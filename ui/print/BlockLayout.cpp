@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/base/Result.h"
+#include "core/base/Translation.h"
 #include "ui/charts/DiagramChart.h"
 #include "ui/charts/LineChart.h"
 #include "ui/charts/ReChart.h"
@@ -207,10 +208,10 @@ void layoutTitle(PageFlow& flow, const Report& report) {
         painter.fillRect(QRectF(at, QSizeF(width, dotsFromMm(0.6))), style.accent);
     });
     Facts about;
-    if (!report.caseName.empty()) about.rows.emplace_back("Case", report.caseName);
-    if (!report.operatorName.empty()) about.rows.emplace_back("Operator", report.operatorName);
-    about.rows.emplace_back("Report made", report.date);
-    about.rows.emplace_back("Made with", report.software);
+    if (!report.caseName.empty()) about.rows.emplace_back(say("Case"), report.caseName);
+    if (!report.operatorName.empty()) about.rows.emplace_back(say("Operator"), report.operatorName);
+    about.rows.emplace_back(say("Report made"), report.date);
+    about.rows.emplace_back(say("Made with"), report.software);
     layout(flow, about);
 }
 

@@ -15,10 +15,13 @@
 #include "ui/actions/Workbench.h"
 #include "ui/actions/reactions/CompareReactions.h"
 #include "ui/actions/reactions/EditReactions.h"
+#include "ui/actions/reactions/ExchangeReactions.h"
 #include "ui/actions/reactions/ExportReactions.h"
 #include "ui/actions/reactions/FileReactions.h"
 #include "ui/actions/reactions/KindReactions.h"
+#include "ui/actions/reactions/LanguageReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
+#include "ui/actions/reactions/SampleReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
 #include "ui/document/Attempts.h"
 #include "ui/document/Autosave.h"
@@ -26,8 +29,10 @@
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
 #include "ui/document/FitTrace.h"
+#include "ui/document/History.h"
 #include "ui/document/Loader.h"
 #include "ui/document/Notices.h"
+#include "ui/document/Outputs.h"
 #include "ui/document/Presentation.h"
 #include "ui/document/Preview.h"
 #include "ui/document/RecentFiles.h"
@@ -42,6 +47,7 @@
 #include "ui/shell/StatusStrip.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToolSwitch.h"
+#include "ui/shell/WindowReactions.h"
 #include "ui/shell/WorkArea.h"
 #include "ui/view/SceneView.h"
 
@@ -65,16 +71,21 @@ struct MainWindow::Private {
               ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts}, *jobs,
               *view)),
           tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, notices, *view)),
-          bench{window,     actions, document, selection, presentation,      preview,
-                comparison, trace,   attempts, *jobs,     notices,           loader,
-                evidence,   recent,  chooser,  autosave,  onGuiThread.get(), printer.get()},
+          bench{
+              window,   actions,  document,          selection,    presentation, preview, comparison, trace,
+              attempts, *jobs,    notices,           loader,       evidence,     recent,  history,    outputs,
+              chooser,  autosave, onGuiThread.get(), printer.get()},
           files(bench),
           edits(bench),
           registration(bench),
           compares(bench),
           views(bench),
           exports(bench),
-          kinds(bench) {}
+          kinds(bench),
+          exchange(bench),
+          sample(bench),
+          ofWindow(window, bench, *view),
+          languages(bench) {}
 
     std::unique_ptr<ViewRenderer> renderer;
     std::unique_ptr<DocumentPrinter> printer;
@@ -89,6 +100,8 @@ struct MainWindow::Private {
     Attempts attempts{document, preview};
     Notices notices;
     RecentFiles recent;
+    History history{document};
+    Outputs outputs{document};
     std::unique_ptr<Autosave> autosave;
     std::unique_ptr<JobRunner> jobs;
     ActionCatalog actions;
@@ -105,6 +118,10 @@ struct MainWindow::Private {
     ViewReactions views;
     ExportReactions exports;
     KindReactions kinds;
+    ExchangeReactions exchange;
+    SampleReactions sample;
+    WindowReactions ofWindow;
+    LanguageReactions languages;
     HeaderBar* header = nullptr;
     WorkArea* area = nullptr;
     StatusStrip* status = nullptr;
@@ -148,6 +165,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addPermanentWidget(status, 1);
 
+    connect(&d.sample, &SampleReactions::ready, this, [this](const QString& path) { open({path}); });
     connect(&d.views, &ViewReactions::namedViewWanted, d.presenter.get(), &ScenePresenter::showNamedView);
     d.actions.onTriggered("view.layer", [this] { d_->presenter->showLayer(); });
     d.actions.onTriggered("help.about", [this] { showAbout(this); });
@@ -199,6 +217,7 @@ void MainWindow::keepEdits(const std::filesystem::path& folder) {
         d_->status->showAutosave(d_->autosave->text(),
                                  state == Autosave::State::failed || state == Autosave::State::elsewhere);
         d_->header->showReadOnly(d_->autosave->readOnly());
+        d_->header->showStored(state == Autosave::State::stored);
     });
     connect(d.autosave.get(), &Autosave::troubled, &d.notices, &Notices::warn);
     connect(&d.loader, &Loader::opened, this, [this] {

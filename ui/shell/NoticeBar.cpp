@@ -24,6 +24,7 @@ NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
     close->setText(QString::fromUtf8("×"));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(close->toolTip());
     row->addWidget(close);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     hide_.setSingleShot(true);

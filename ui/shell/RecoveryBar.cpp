@@ -40,6 +40,7 @@ RecoveryBar::RecoveryBar(Autosave& autosave, Loader& loader, std::function<bool(
     later->setText(QString::fromUtf8("×"));
     later->setAutoRaise(true);
     later->setToolTip(tr("Decide later"));
+    later->setAccessibleName(later->toolTip());
     row->addWidget(later);
     connect(accept_, &QPushButton::clicked, this, [this] { accept(); });
     connect(discard_, &QPushButton::clicked, this, [this] { discard(); });
@@ -69,8 +70,7 @@ void RecoveryBar::offerNext() {
     const QString name = content.caseFile.empty()
                              ? tr("A case that was never saved")
                              : QFileInfo(QString::fromStdString(content.caseFile)).fileName();
-    text_->setText(tr("%1 was open when the program ended: %2.")
-                       .arg(name, QString::fromStdString(content.unsavedSentence())));
+    text_->setText(tr("%1 was open when the program ended: %2.").arg(name, said(content.unsavedSentence())));
     accept_->setText(tr("Recover"));
 }
 

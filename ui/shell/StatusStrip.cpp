@@ -70,10 +70,10 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
         if (!jobs_.busy()) return;
         bar_->setValue(static_cast<int>(1000 * fraction));
         percent_->setText(tr("%1 %").arg(static_cast<int>(100 * fraction)));
-        job_->setText(step.isEmpty() ? title_ : title_ + ": " + step);
+        job_->setText(step.isEmpty() ? title_ : tr("%1: %2").arg(title_, said(step.toStdString())));
     });
     connect(&jobs_, &JobRunner::messaged, this, [this](const QString& sentence) {
-        if (jobs_.busy()) message_->setText(sentence);
+        if (jobs_.busy()) message_->setText(said(sentence.toStdString()));
     });
     connect(&jobs_, &JobRunner::finished, this, [this] { showIdle(); });
     connect(&document_, &Document::changed, this, [this] {

@@ -47,6 +47,7 @@ QString colorText(const Presentation& shown) {
 QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentation) {
     auto* button = new QToolButton;
     button->setObjectName("color-mode");
+    button->setAccessibleName(QObject::tr("Colour"));
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("What the points' colour shows"));
     auto* menu = new QMenu(button);
@@ -102,6 +103,7 @@ QToolButton* kindButton(const ActionCatalog& actions) {
 QToolButton* compareButton(const ActionCatalog& actions) {
     auto* button = new QToolButton;
     button->setObjectName("compare");
+    button->setAccessibleName(QObject::tr("Compare"));
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("Compare two pictures of the scene: swipe, blink, checkerboard"));
     button->setCheckable(true);

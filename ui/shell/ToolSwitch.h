@@ -3,11 +3,16 @@
 #include <QObject>
 #include <string>
 
+#include "ui/actions/reactions/SnapReactions.h"
+#include "ui/document/PickChoices.h"
 #include "ui/tools/CompareTool.h"
 #include "ui/tools/HoverProbe.h"
 #include "ui/tools/MeasureTool.h"
 #include "ui/tools/OrbitTool.h"
 #include "ui/tools/PathTool.h"
+#include "ui/tools/PickFeedback.h"
+#include "ui/tools/PickMover.h"
+#include "ui/tools/PickProbe.h"
 
 namespace vestige {
 
@@ -26,6 +31,10 @@ class ToolSwitch : public QObject {
     PathTool& path() { return path_; }
 
   signals:
+    /// What the next click of the active tool does; empty for a tool that needs no words.
+    void hintChanged(const QString& hint);
+    /// The active tool picks, or not: what it snaps to can be chosen.
+    void picking(bool on);
     void hovered(const QString& coordinates, const QString& layer);
 
   private:
@@ -33,7 +42,12 @@ class ToolSwitch : public QObject {
 
     Document& document_;
     SceneView& view_;
+    PickChoices choices_;
+    SnapReactions snaps_;
     HoverProbe probe_;
+    PickProbe picks_;
+    PickFeedback feedback_;
+    PickMover mover_;
     OrbitTool orbit_;
     MeasureTool measure_;
     PathTool path_;

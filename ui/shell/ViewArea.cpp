@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <algorithm>
 
 namespace vestige {
 
@@ -34,7 +35,8 @@ void ViewArea::setBar(QWidget* bar) {
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
     const auto type = event->type();
-    if (watched == bar_ && (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest))
+    if ((watched == bar_ || watched == chooser_) &&
+        (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest))
         arrange();
     return QWidget::eventFilter(watched, event);
 }
@@ -57,9 +59,21 @@ void ViewArea::setHint(const QString& hint) {
     arrange();
 }
 
+void ViewArea::setChooser(QWidget* chooser) {
+    chooser_ = chooser;
+    chooser->setParent(this);
+    chooser->installEventFilter(this);
+    chooser->hide();
+}
+
+void ViewArea::showChooser(bool show) {
+    chooser_->setVisible(show);
+    arrange();
+}
+
 std::vector<QRectF> ViewArea::covered() const {
     std::vector<QRectF> places;
-    for (const QWidget* widget : {tools_, bar_, static_cast<QWidget*>(hint_)})
+    for (const QWidget* widget : {tools_, bar_, chooser_, static_cast<QWidget*>(hint_)})
         if (widget && !widget->isHidden()) places.emplace_back(widget->geometry());
     return places;
 }
@@ -86,8 +100,21 @@ void ViewArea::arrange() {
         bar_->raise();
         below = bar_->geometry().bottom() + 8;
     }
-    hint_->adjustSize();
-    hint_->move(10, below);
+    int beside = 10;
+    if (chooser_ && !chooser_->isHidden()) {
+        chooser_->adjustSize();
+        chooser_->move(beside, below);
+        chooser_->raise();
+        beside = chooser_->geometry().right() + 9;
+    }
+    // One line each of what to do and of what came of it, broken only where the view is too narrow.
+    hint_->setWordWrap(false);
+    const int room = std::max(120, width() - beside - 10);
+    if (hint_->sizeHint().width() > room) hint_->setWordWrap(true);
+    const int wide = std::min(room, hint_->sizeHint().width());
+    hint_->resize(hint_->wordWrap() ? QSize(room, hint_->heightForWidth(room))
+                                    : QSize(wide, hint_->sizeHint().height()));
+    hint_->move(beside, below);
     hint_->raise();
     if (welcome_) {
         welcome_->setGeometry(rect());

@@ -20,6 +20,9 @@ class ViewArea : public QWidget {
     void setWelcome(QWidget* welcome);
     void showWelcome(bool show);
     void setHint(const QString& hint);
+    /// Stands before the hint while the active tool needs it.
+    void setChooser(QWidget* chooser);
+    void showChooser(bool show);
     /// Where something stands over the view, in its pixels.
     std::vector<QRectF> covered() const;
 
@@ -38,6 +41,7 @@ class ViewArea : public QWidget {
     QWidget* tools_ = nullptr;
     QWidget* bar_ = nullptr;
     QWidget* welcome_ = nullptr;
+    QWidget* chooser_ = nullptr;
     QLabel* hint_;
 };
 

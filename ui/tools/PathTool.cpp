@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QWidget>
 
 #include "core/measurement/kinds/KindSpec.h"
 #include "core/scene/Edits.h"
@@ -13,6 +14,7 @@
 #include "ui/document/ObjectNames.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
+#include "ui/view/PendingPath.h"
 #include "ui/view/SceneView.h"
 
 namespace vestige {
@@ -78,7 +80,12 @@ bool PathTool::mouseDoubleClick(SceneView&, const QMouseEvent& event) {
     return true;
 }
 
-bool PathTool::wantsKey(const QKeyEvent& event) const {
+void PathTool::paint(const SceneView&, QPainter& painter, const ViewCamera& camera,
+                     const ViewTheme& theme) const {
+    paintPendingPath(painter, theme, camera, world_);
+}
+
+bool PathTool::holdsKey(const SceneView&, const QKeyEvent& event) const {
     const int key = event.key();
     return !points_.empty() && event.modifiers() == Qt::NoModifier &&
            (key == Qt::Key_Escape || key == Qt::Key_Backspace || key == Qt::Key_Return ||
@@ -176,7 +183,7 @@ void PathTool::abandon() {
 
 void PathTool::showPending(const std::optional<Pick>& under) {
     if (!view_) return;
-    view_->setPendingPath(world_);
+    view_->updateOverlay();
     if (world_.empty() || !under) return view_->setPendingMark(std::nullopt);
     ViewMark mark{world_.back(), under->world, {}, true};
     mark.label = lengthText((mark.b - mark.a).norm()).toStdString() + " m";

@@ -39,7 +39,9 @@ class PathTool : public QObject, public ViewTool {
     bool mouseMove(SceneView& view, const QMouseEvent& event) override;
     bool mouseRelease(SceneView& view, const QMouseEvent& event) override;
     bool mouseDoubleClick(SceneView& view, const QMouseEvent& event) override;
-    bool wantsKey(const QKeyEvent& event) const override;
+    bool holdsKey(const SceneView& view, const QKeyEvent& event) const override;
+    void paint(const SceneView& view, QPainter& painter, const ViewCamera& camera,
+               const ViewTheme& theme) const override;
     bool keyPress(SceneView& view, const QKeyEvent& event) override;
 
     std::size_t picked() const { return points_.size(); }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/Numbers.h"
+#include "ui/view/Translated.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -31,12 +32,12 @@ QColor toQt(const Rgb& color) {
 QString attributeNote(const ViewDescription& view, std::size_t index) {
     const ViewLayer& layer = view.layers[index];
     if (view.overlay == Overlay::registration || view.overlay == Overlay::residual)
-        return index == targetLayer(view) ? QStringLiteral(" (target)") : QString();
+        return index == targetLayer(view) ? translated(" (target)") : QString();
     if (view.overlay != Overlay::none || !layer.geometry) return {};
     const PointAttributes& attributes = layer.geometry->vertices.attributes();
-    if (view.colorMode == ColorMode::rgb && attributes.color.empty()) return QStringLiteral(", no colour");
+    if (view.colorMode == ColorMode::rgb && attributes.color.empty()) return translated(", no colour");
     if (view.colorMode == ColorMode::intensity && attributes.intensity.empty())
-        return QStringLiteral(", no intensity");
+        return translated(", no intensity");
     return {};
 }
 
@@ -56,11 +57,11 @@ std::vector<Row> rows(const ViewDescription& view) {
         return isDrawn(layer) && layer.residual_m;
     });
     if (view.overlay == Overlay::residual && compares)
-        all.push_back({QStringLiteral("no surface of the target there"), toQt(uncomparedColor(view.theme))});
+        all.push_back({translated("no surface of the target there"), toQt(uncomparedColor(view.theme))});
     if (all.size() > kMostRows) {
         const std::size_t more = all.size() - kMostRows;
         all.resize(kMostRows);
-        all.push_back({QStringLiteral("and %1 more").arg(more), std::nullopt});
+        all.push_back({translated("and %1 more").arg(more), std::nullopt});
     }
     return all;
 }
@@ -86,8 +87,8 @@ QString numberText(const ColorScale& scale, double value) {
 std::vector<QString> notes(const ColorScale& scale) {
     if (!scale.noise) return {};
     const double noise = *scale.noise * scale.displayFactor;
-    return {QStringLiteral("+ above or outside, \u2212 below or inside"),
-            QStringLiteral("Range: 3 \u00d7 the spread of %1 %2 (1 SD)")
+    return {translated("+ above or outside, \u2212 below or inside"),
+            translated("Range: 3 \u00d7 the spread of %1 %2 (1 SD)")
                 .arg(QString::fromStdString(fixedText(noise, noise >= 10  ? 0
                                                              : noise >= 1 ? 1
                                                                           : 2)),
@@ -102,7 +103,7 @@ void paintBar(QPainter& painter, const ViewTheme& theme, const QRectF& place, co
     painter.setFont(theme.font(11));
     painter.setPen(theme.quietText);
     painter.drawText(QRectF(place.left(), place.top(), place.width(), 16), Qt::AlignLeft | Qt::AlignVCenter,
-                     QString::fromStdString(scale.title + ", " + scale.unit));
+                     translated("%1, %2").arg(translated(scale.title), QString::fromStdString(scale.unit)));
     const QRectF bar(place.left(), place.top() + 20, place.width(), kBarHeight);
     const int steps = static_cast<int>(bar.width());
     painter.setRenderHint(QPainter::Antialiasing, false);

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/view/Translated.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -34,7 +35,7 @@ QRectF paintScaleBar(QPainter& painter, const ViewTheme& theme, const QRectF& in
     const double length = scaleBarLength(std::min(190.0, 0.3 * inside.width()) * metresPerPixel);
     const double width = length / metresPerPixel;
     painter.setFont(theme.font(11));
-    const QString where = camera.parallel ? QString() : QStringLiteral("at the view's centre");
+    const QString where = camera.parallel ? QString() : translated("at the view's centre");
     const double whereWidth = camera.parallel ? 0 : painter.fontMetrics().horizontalAdvance(where) + 8;
     painter.setFont(theme.font(12, true));
     const QString text = lengthText(length);

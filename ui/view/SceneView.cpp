@@ -12,7 +12,6 @@
 #include "core/pipeline/FrameView.h"
 #include "ui/view/FrameBudget.h"
 #include "ui/view/Overlay.h"
-#include "ui/view/PendingPath.h"
 #include "ui/view/SceneDrawing.h"
 #include "ui/view/ViewMouse.h"
 #include "ui/view/ViewTheme.h"
@@ -27,7 +26,7 @@ constexpr double kRestingFrame_s = 0.12;
 constexpr double kLeastStep = 1.0 / 12;
 constexpr int kRest_ms = 160;
 /// Points made ready and given to the graphics card between two frames: about 30 ms on two cores.
-constexpr std::size_t kBroughtAtOnce = 400'000;
+constexpr std::size_t kBroughtAtOnce = 400000;
 constexpr double kPivotRadius_px = 24;
 
 /// Paints over the picture; mouse and keyboard go through it.
@@ -52,6 +51,9 @@ class OverlayWidget : public QWidget {
 }  // namespace
 
 struct SceneView::Private {
+    explicit Private(const SceneView& view) : owner(view) {}
+
+    const SceneView& owner;
     std::unique_ptr<ViewSurface> surface;
     std::unique_ptr<SceneDrawing> drawing;
     OverlayWidget* overlay = nullptr;
@@ -62,7 +64,6 @@ struct SceneView::Private {
     ViewTool* tool = nullptr;
     ViewTool* guard = nullptr;
     std::optional<ViewMark> pending;
-    std::vector<Eigen::Vector3d> pendingPath;
     std::vector<QRectF> covered;
     std::unique_ptr<ViewMouse> mouse;
 
@@ -85,8 +86,8 @@ struct SceneView::Private {
     }
 
     void paintOver(QPainter& painter) {
-        paintPendingPath(painter, viewTheme(description.theme), camera, pendingPath);
         paintOverlay(painter, {description, camera, drawing->scale(), pending, covered});
+        if (tool) tool->paint(owner, painter, camera, viewTheme(description.theme));
     }
 
     /// Draws the next step of the picture: the first points, or some more. `all` leaves nothing out.
@@ -148,12 +149,13 @@ struct SceneView::Private {
                     {static_cast<std::uint32_t>(i), octrees[i].get(), description.layers[i].worldFromLayer});
         PickOptions options;
         options.radius_px = radius_px;
+        if (description.section) options.clips = description.section->planes();
         return pickPoint(layers, camera, {position.x() + 0.5, position.y() + 0.5}, options);
     }
 };
 
 SceneView::SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent)
-    : QObject(parent), d_(std::make_unique<Private>()) {
+    : QObject(parent), d_(std::make_unique<Private>(*this)) {
     d_->surface = makeSurface(parent);
     d_->drawing = std::make_unique<SceneDrawing>(d_->surface->renderWindow());
     QWidget* widget = d_->surface->widget();
@@ -254,9 +256,16 @@ void SceneView::setPendingMark(std::optional<ViewMark> mark) {
     d_->overlay->update();
 }
 
-void SceneView::setPendingPath(std::vector<Eigen::Vector3d> path) {
-    d_->pendingPath = std::move(path);
+void SceneView::updateOverlay() {
     d_->overlay->update();
+}
+
+const std::optional<ColorScale>& SceneView::scale() const {
+    return d_->drawing->scale();
+}
+
+const std::vector<QRectF>& SceneView::covered() const {
+    return d_->covered;
 }
 
 void SceneView::setCovered(std::vector<QRectF> covered) {
@@ -310,6 +319,10 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
             d_->fitCamera();
             d_->redraw();
             return false;
+        case QEvent::ShortcutOverride:
+            if (!d_->tool || !d_->tool->holdsKey(*this, static_cast<QKeyEvent&>(*event))) return false;
+            event->accept();
+            return true;
         case QEvent::KeyPress:
             return offer(d_->tool) || offer(d_->guard);
         case QEvent::MouseButtonPress:
@@ -321,10 +334,6 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
             break;
         case QEvent::MouseButtonDblClick:
             offer(d_->tool);
-            return true;
-        case QEvent::ShortcutOverride:
-            if (!d_->tool || !d_->tool->wantsKey(static_cast<QKeyEvent&>(*event))) return false;
-            event->accept();
             return true;
         default:
             return false;

@@ -14,6 +14,8 @@
 
 namespace vestige {
 
+struct ColorScale;
+
 /// The 3D view: shows a ViewDescription on a surface, navigates, and picks with the one picking function of
 /// core. Points are drawn coarse while the camera moves and complete when it stands still. GUI thread only.
 class SceneView : public QObject {
@@ -31,7 +33,8 @@ class SceneView : public QObject {
     void show(ViewDescription view, bool resetCamera = false);
     const ViewDescription& description() const;
 
-    /// Octrees of the layers in `description().layers`, by the same index; what is not visible takes no part.
+    /// Octrees of the layers in `description().layers`, by the same index; what is hidden or cut away by the
+    /// section takes no part.
     void setPickIndex(std::vector<std::shared_ptr<const Octree>> octrees);
     /// The pick at a position of the widget, in the camera shown now.
     std::optional<Pick> pickAt(const QPoint& position) const;
@@ -54,11 +57,15 @@ class SceneView : public QObject {
     /// A pair in the making: the first end and the point under the cursor; nothing hides it.
     void setPendingMark(std::optional<ViewMark> mark);
 
-    /// The points picked so far of a path, in world coordinates; empty for none.
-    void setPendingPath(std::vector<Eigen::Vector3d> path);
+    /// The tool's painting has changed.
+    void updateOverlay();
+
+    /// What the colours mean in the picture shown.
+    const std::optional<ColorScale>& scale() const;
 
     /// What stands over the view (tool bars), in its pixels: legend and labels keep clear of it.
     void setCovered(std::vector<QRectF> covered);
+    const std::vector<QRectF>& covered() const;
 
     /// Whether the picture shows everything there is to see from here.
     bool isComplete() const;

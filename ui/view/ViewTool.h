@@ -1,11 +1,14 @@
 #pragma once
 
-class QMouseEvent;
 class QKeyEvent;
+class QMouseEvent;
+class QPainter;
 
 namespace vestige {
 
 class SceneView;
+struct ViewCamera;
+struct ViewTheme;
 
 /// What the mouse does in the view besides navigation. The active tool sees an event first; what it does not
 /// take (returns false) orbits, pans and zooms.
@@ -17,10 +20,13 @@ class ViewTool {
     virtual bool mousePress(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseMove(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseRelease(SceneView&, const QMouseEvent&) { return false; }
+    /// The second press of two quick ones; a release follows.
     virtual bool mouseDoubleClick(SceneView&, const QMouseEvent&) { return false; }
-    /// Keys that come to keyPress although they are shortcuts of the window.
-    virtual bool wantsKey(const QKeyEvent&) const { return false; }
     virtual bool keyPress(SceneView&, const QKeyEvent&) { return false; }
+    /// True for a key that keyPress would take now and that no shortcut may take before.
+    virtual bool holdsKey(const SceneView&, const QKeyEvent&) const { return false; }
+    /// Paints over the picture and its marks, in pixels of `camera`; only of the active tool.
+    virtual void paint(const SceneView&, QPainter&, const ViewCamera&, const ViewTheme&) const {}
 };
 
 }  // namespace vestige

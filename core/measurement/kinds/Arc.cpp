@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/measurement/kinds/CircleFit.h"
+#include "core/measurement/kinds/CircleThrough.h"
 #include "core/measurement/kinds/Speed.h"
 
 namespace vestige {
@@ -38,7 +38,7 @@ Result<Ordinate> ordinateOf(std::span<const Eigen::Vector2d> points) {
 }
 
 /// The curve's scatter beyond what sensor and spacing explain, which the picks carry already.
-Contribution excessScatter(const KindInput& input, const CircleFit& fit) {
+Contribution excessScatter(const KindInput& input, const CircleThrough& fit) {
     double expected = 0;
     for (const KindEnd& end : input.ends)
         expected += end.standard_m() * end.standard_m() / static_cast<double>(input.size());
@@ -76,7 +76,7 @@ Result<KindValues> arcValues(const KindInput& input) {
     for (const KindEnd& end : input.ends) points.push_back(end.position.head<2>());
     const auto ordinate = ordinateOf(points);
     if (!ordinate) return fail(ordinate.error());
-    const auto fit = fitCircle(points);
+    const auto fit = circleThrough(points);
     if (!fit) return fail(fit.error());
     const double byChord =
         ordinate->chord * ordinate->chord / (8 * ordinate->middle) + 0.5 * ordinate->middle;

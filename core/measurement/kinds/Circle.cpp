@@ -1,9 +1,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/measurement/kinds/CircleFit.h"
+#include "core/measurement/kinds/CircleThrough.h"
 #include "core/measurement/kinds/KindInput.h"
-#include "core/measurement/kinds/PlaneFit.h"
+#include "core/measurement/kinds/PlaneThrough.h"
 
 namespace vestige {
 
@@ -14,14 +14,14 @@ Result<KindValues> circleValues(const KindInput& input) {
         points.push_back(end.position);
         expected += end.standard_m() * end.standard_m() / static_cast<double>(input.size());
     }
-    const auto plane = fitPlane(points);
+    const auto plane = planeThrough(points);
     if (!plane) return fail(plane.error());
     const Eigen::Vector3d across = plane->normal.unitOrthogonal();
     const Eigen::Vector3d up = plane->normal.cross(across);
     std::vector<Eigen::Vector2d> flat;
     for (const auto& point : points)
         flat.emplace_back(across.dot(point - plane->centre), up.dot(point - plane->centre));
-    const auto fit = fitCircle(flat);
+    const auto fit = circleThrough(flat);
     if (!fit) return fail(fit.error());
 
     QuantityValue diameter{"diameter", "Diameter", QuantityUnit::metre, 2 * fit->radius};

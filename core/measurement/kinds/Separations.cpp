@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "core/measurement/kinds/KindInput.h"
-#include "core/measurement/kinds/PlaneFit.h"
+#include "core/measurement/kinds/PlaneThrough.h"
 
 namespace vestige {
 namespace {
@@ -17,10 +17,10 @@ std::vector<Eigen::Vector3d> positions(std::span<const KindEnd> ends) {
 }
 
 /// The plane through picks; where one of them has a fitted plane of its own, that one.
-Result<PlaneFit> planeOf(std::span<const KindEnd> ends) {
+Result<PlaneThrough> planeOf(std::span<const KindEnd> ends) {
     for (const KindEnd& end : ends)
-        if (end.normal) return PlaneFit{end.position, *end.normal, 0};
-    return fitPlane(positions(ends));
+        if (end.normal) return PlaneThrough{end.position, *end.normal, 0};
+    return planeThrough(positions(ends));
 }
 
 QuantityValue straight(const KindInput& input) {
@@ -34,7 +34,7 @@ QuantityValue upright(const KindInput& input) {
 }
 
 /// The picks of two planes: the first `count` and the others.
-Result<std::pair<PlaneFit, PlaneFit>> twoPlanes(const KindInput& input) {
+Result<std::pair<PlaneThrough, PlaneThrough>> twoPlanes(const KindInput& input) {
     const auto count = static_cast<std::size_t>(input.settings.integer("first_plane_points"));
     if (input.size() < count + 3)
         return fail(ErrorCode::input, "the second plane has fewer than three points");

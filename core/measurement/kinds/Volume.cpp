@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/measurement/kinds/KindInput.h"
-#include "core/measurement/kinds/PlaneFit.h"
+#include "core/measurement/kinds/PlaneThrough.h"
 #include "core/measurement/kinds/Reference.h"
 
 namespace vestige {
@@ -52,7 +52,7 @@ struct Grid {
 };
 
 /// Height of the base under a place.
-Result<PlaneFit> baseOf(const KindInput& input) {
+Result<PlaneThrough> baseOf(const KindInput& input) {
     std::vector<Eigen::Vector3d> corners;
     double lowest = std::numeric_limits<double>::infinity();
     for (const KindEnd& end : input.ends) {
@@ -60,8 +60,8 @@ Result<PlaneFit> baseOf(const KindInput& input) {
         lowest = std::min(lowest, end.position.z());
     }
     if (input.settings.boolean("level_base"))
-        return PlaneFit{{corners.front().x(), corners.front().y(), lowest}, Eigen::Vector3d::UnitZ(), 0};
-    auto plane = fitPlane(corners);
+        return PlaneThrough{{corners.front().x(), corners.front().y(), lowest}, Eigen::Vector3d::UnitZ(), 0};
+    auto plane = planeThrough(corners);
     if (plane && std::abs(plane->normal.z()) < 0.1)
         return fail(ErrorCode::input, "the outline stands upright, so nothing is above it");
     return plane;
@@ -73,7 +73,7 @@ double automaticCell(const Eigen::Vector2d& extent, std::size_t points) {
     return std::max(2 * spacing, 0.01 * extent.maxCoeff());
 }
 
-Result<Grid> gridOf(const KindInput& input, const PlaneFit& base) {
+Result<Grid> gridOf(const KindInput& input, const PlaneThrough& base) {
     Eigen::Vector2d low = input.at(0).head<2>(), high = low;
     for (const KindEnd& end : input.ends) {
         low = low.cwiseMin(end.position.head<2>());

@@ -1,5 +1,7 @@
 #include "core/scene/edits/MovePicks.h"
 
+#include <utility>
+
 #include "core/scene/PickFrame.h"
 #include "core/scene/edits/Same.h"
 
@@ -16,6 +18,7 @@ PickedPoint& pointOf(SceneState& scene, const MovedPick& pick) {
 struct AnchoredPick {
     MovedPick pick;
     Eigen::Vector3d inLayer;
+    std::optional<FittedFeature> fittedInLayer;
     Similarity sceneFromLayerBefore;
     bool placedBefore = false;
 };
@@ -29,8 +32,11 @@ void anchorPaths(const SceneState& scene, std::size_t m, std::vector<AnchoredPic
                 const Layer* layer = scene.layer(point.layer);
                 if (!layer || !(point.inLayerFrame || isPlaced(scene, *layer))) continue;
                 const Similarity toScene = sceneFromLayer(*layer);
+                auto fitted = sceneFeature(scene, point);
+                if (fitted) fitted = moved(*fitted, toScene.inverse());
                 anchored.push_back({{m, key, r, false, point, i},
                                     toScene.inverse() * scenePosition(scene, point),
+                                    std::move(fitted),
                                     toScene,
                                     isPlaced(scene, *layer)});
             }
@@ -49,8 +55,11 @@ std::vector<AnchoredPick> anchoredPicks(const SceneState& scene) {
                     const Layer* layer = scene.layer(point.layer);
                     if (!layer || !(point.inLayerFrame || isPlaced(scene, *layer))) continue;
                     const Similarity toScene = sceneFromLayer(*layer);
+                    auto fitted = sceneFeature(scene, point);
+                    if (fitted) fitted = moved(*fitted, toScene.inverse());
                     anchored.push_back({{m, key, r, second, point},
                                         toScene.inverse() * scenePosition(scene, point),
+                                        std::move(fitted),
                                         toScene,
                                         isPlaced(scene, *layer)});
                 }
@@ -65,7 +74,7 @@ std::vector<AnchoredPick> anchoredPicks(const SceneState& scene) {
 std::vector<MovedPick> changeKeepingPicks(SceneState& scene, const std::function<void(SceneState&)>& change) {
     const std::vector<AnchoredPick> anchored = anchoredPicks(scene);
     change(scene);
-    std::vector<MovedPick> moved;
+    std::vector<MovedPick> rewritten;
     for (const AnchoredPick& anchor : anchored) {
         const Layer* layer = scene.layer(anchor.pick.before.layer);
         if (!layer) continue;
@@ -75,10 +84,12 @@ std::vector<MovedPick> changeKeepingPicks(SceneState& scene, const std::function
             continue;
         PickedPoint& point = pointOf(scene, anchor.pick);
         point.position = placed ? toScene * anchor.inLayer : anchor.inLayer;
+        if (anchor.fittedInLayer)
+            point.fitted = placed ? moved(*anchor.fittedInLayer, toScene) : *anchor.fittedInLayer;
         point.inLayerFrame = !placed;
-        moved.push_back(anchor.pick);
+        rewritten.push_back(anchor.pick);
     }
-    return moved;
+    return rewritten;
 }
 
 void restorePicks(SceneState& scene, const std::vector<MovedPick>& moved) {

@@ -7,10 +7,10 @@ namespace {
 void addFeatures(ModelBuilder& builder, const CarShape& shape) {
     const double end = shape.halfLength;
     const double side = shape.halfWidth;
-    builder.part("front").feature("length_front", {end, 0, 0.5}, {0.25, 0, 1});
-    builder.part("rear").feature("length_rear", {-end, 0, 0.5}, {-0.25, 0, 1});
+    builder.part("front").feature("length_front", {end, 0, 0.5}, {0.25, 0, 1}, "plane");
+    builder.part("rear").feature("length_rear", {-end, 0, 0.5}, {-0.25, 0, 1}, "plane");
     const auto width = [&](const char* part, const char* name, double x, double y) {
-        builder.part(part).feature(name, {x, y, 0.74}, {0, 0.45 * (y > 0 ? 1 : -1), 1});
+        builder.part(part).feature(name, {x, y, 0.74}, {0, 0.45 * (y > 0 ? 1 : -1), 1}, "plane");
     };
     width("left side", "width_front_left", 0.45 * end, side);
     width("right side", "width_front_right", 0.45 * end, -side);

@@ -93,10 +93,10 @@ void addCarCabin(ModelBuilder& builder, const CarShape& shape) {
     builder.grid(kAlong, kAcross, [&](int row, int column) {
         return roof(shape, static_cast<double>(row) / kAlong, 2.0 * column / kAcross - 1);
     });
-    builder.feature("roof_front_left", roof(shape, 0, 1), {0.3, 0.5, 1});
-    builder.feature("roof_front_right", roof(shape, 0, -1), {0.3, -0.5, 1});
-    builder.feature("roof_rear_left", roof(shape, 1, 1), {-0.3, 0.5, 1});
-    builder.feature("roof_rear_right", roof(shape, 1, -1), {-0.3, -0.5, 1});
+    builder.feature("roof_front_left", roof(shape, 0, 1), {0.3, 0.5, 1}, "corner");
+    builder.feature("roof_front_right", roof(shape, 0, -1), {0.3, -0.5, 1}, "corner");
+    builder.feature("roof_rear_left", roof(shape, 1, 1), {-0.3, 0.5, 1}, "corner");
+    builder.feature("roof_rear_right", roof(shape, 1, -1), {-0.3, -0.5, 1}, "corner");
 }
 
 void addCarInterior(ModelBuilder& builder, const CarShape& shape) {

@@ -22,10 +22,10 @@ SurfaceModel buildBox(const ParameterSet& parameters, Random&) {
     const double height = parameters.real("height_m");
     builder.part("box").material(*materialFromName(parameters.text("material")));
     builder.box({0, 0, 0.5 * height}, {length, width, height});
-    builder.feature("length_a", {0.5 * length, 0, height}, {0.2, 0, 1});
-    builder.feature("length_b", {-0.5 * length, 0, height}, {-0.2, 0, 1});
-    builder.feature("width_a", {0, 0.5 * width, height}, {0, 0.2, 1});
-    builder.feature("width_b", {0, -0.5 * width, height}, {0, -0.2, 1});
+    builder.feature("length_a", {0.5 * length, 0, height}, {0.2, 0, 1}, "edge");
+    builder.feature("length_b", {-0.5 * length, 0, height}, {-0.2, 0, 1}, "edge");
+    builder.feature("width_a", {0, 0.5 * width, height}, {0, 0.2, 1}, "edge");
+    builder.feature("width_b", {0, -0.5 * width, height}, {0, -0.2, 1}, "edge");
     return builder.take();
 }
 
@@ -57,7 +57,7 @@ SurfaceModel buildTripod(const ParameterSet& parameters, Random&) {
         const Point foot(reach * std::cos(angle), reach * std::sin(angle), 0);
         builder.part("leg " + std::to_string(leg + 1)).material(Material::metal);
         builder.tube(top, foot, 0.015, 0.012, 12);
-        if (leg == 0) builder.feature("foot", foot, {std::cos(spread), 0, std::sin(spread) + 0.4});
+        if (leg == 0) builder.feature("foot", foot, {std::cos(spread), 0, std::sin(spread) + 0.4}, "plane");
     }
     builder.part("head").material(Material::plastic);
     builder.tube(top - Point(0, 0, 0.05), top, 0.035, 16);

@@ -52,7 +52,8 @@ class EditGenerator {
             case 13:
                 return addPick(object(), layerId(), {pick(scene), pick(scene)});
             case 14:
-                return removePick(object(), layerId(), random_.below(3));
+                if (random_.below(2) == 0) return removePick(object(), layerId(), random_.below(3));
+                return movePick(object(), layerId(), random_.below(3), random_.below(2) == 0, pick(scene));
             case 15:
             case 16:
                 return addPath(object(), layerId(), {pick(scene), pick(scene), pick(scene)});

@@ -8,6 +8,7 @@
 #include "ui/actions/FileChooser.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
+#include "ui/document/Outputs.h"
 #include "ui/document/Wording.h"
 #include "ui/jobs/JobRunner.h"
 
@@ -33,10 +34,11 @@ void ExportReactions::exportReport(const std::filesystem::path& folder) {
             const JobControl& control) { return reconstruct(scene, folder, renderer, printer, control); },
         [this, folder](Result<Reconstruction> made) {
             if (!made) return bench_.notices.failed(made.error());
+            bench_.outputs.add(Outputs::Kind::report, toQt(folder));
             QString sentence = tr("The report and %1 files are in %2.")
                                    .arg(made->outputs.size())
                                    .arg(toQt(folder.filename()));
-            if (!made->warnings.empty()) sentence += " " + QString::fromStdString(made->warnings.front());
+            if (!made->warnings.empty()) sentence += " " + said(made->warnings.front());
             bench_.notices.informOf(sentence, toQt(folder));
         });
 }
@@ -46,6 +48,7 @@ void ExportReactions::exportCsv(const std::filesystem::path& file) {
         return bench_.notices.failed(apart.error());
     const Status written = writeTextFile(file, measurementsCsv(bench_.document.measured()));
     if (!written) return bench_.notices.failed(written.error());
+    bench_.outputs.add(Outputs::Kind::table, toQt(file));
     bench_.notices.informOf(tr("The measurements are in %1.").arg(toQt(file.filename())), toQt(file));
 }
 

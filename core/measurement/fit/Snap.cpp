@@ -1,0 +1,119 @@
+#include "core/measurement/fit/Snap.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/measurement/fit/CircleFit.h"
+#include "core/measurement/fit/EdgeFit.h"
+#include "core/measurement/fit/PlaneFit.h"
+#include "core/measurement/fit/PointFits.h"
+
+namespace vestige {
+namespace {
+
+tl::unexpected<Error> none(const std::string& what, const Neighbourhood& near) {
+    return fail(ErrorCode::input, "no " + what + " was found round the pick",
+                std::to_string(near.points.size()) + " points within " +
+                    std::to_string(static_cast<int>(std::lround(1000 * near.radius_m))) + " mm",
+                "pick nearer to it, or choose another feature");
+}
+
+Result<FittedFeature> plane(const Neighbourhood& near) {
+    const auto fit = planeAtSeed(near);
+    if (!fit) return none("plane", near);
+    FittedFeature feature{.mode = SnapMode::plane};
+    const double slant = fit->normal.dot(near.view);
+    feature.position = fit->project(Eigen::Vector3d::Zero());
+    // Where the line of sight meets it, unless the plane is seen too much from the side for that.
+    if (std::abs(slant) > 0.3) feature.position = fit->distance(Eigen::Vector3d::Zero()) / -slant * near.view;
+    feature.axis = slant > 0 ? Eigen::Vector3d(-fit->normal) : fit->normal;
+    feature.axisUncertainty = std::sqrt(std::max(fit->variance[0], fit->variance[1]));
+    const double aside = near.spacing_m * near.spacing_m / 12;
+    feature.covariance = aside * Eigen::Matrix3d::Identity() +
+                         (fit->varianceAt(feature.position) - aside) * fit->normal * fit->normal.transpose();
+    feature.rms = fit->rms;
+    feature.inliers = fit->inliers;
+    return feature;
+}
+
+Result<FittedFeature> edge(const Neighbourhood& near) {
+    const auto fit = edgeAtSeed(near);
+    if (!fit) return none("edge", near);
+    FittedFeature feature{.mode = SnapMode::edge};
+    feature.position = fit->point;
+    feature.axis = fit->direction;
+    feature.axisUncertainty = fit->slope;
+    feature.covariance = fit->covariance;
+    feature.rms = fit->rms;
+    feature.inliers = fit->inliers;
+    return feature;
+}
+
+Result<FittedFeature> circle(const Neighbourhood& near) {
+    const auto fit = circleAtSeed(near);
+    if (!fit) return none("circle", near);
+    FittedFeature feature{.mode = SnapMode::circle};
+    feature.position = fit->centre;
+    feature.axis = fit->axis.dot(near.view) > 0 ? Eigen::Vector3d(-fit->axis) : fit->axis;
+    feature.axisUncertainty = fit->axisUncertainty;
+    feature.covariance = fit->covariance;
+    feature.radius = fit->radius;
+    feature.radiusUncertainty = fit->radiusUncertainty;
+    feature.rms = fit->rms;
+    feature.inliers = fit->inliers;
+    return feature;
+}
+
+Result<FittedFeature> place(SnapMode mode, const Neighbourhood& near) {
+    std::optional<PlaceFit> fit;
+    if (mode == SnapMode::corner) fit = cornerAtSeed(near);
+    if (mode == SnapMode::highest) fit = extremeAlong(near, Eigen::Vector3d::UnitZ());
+    if (mode == SnapMode::lowest) fit = extremeAlong(near, -Eigen::Vector3d::UnitZ());
+    if (mode == SnapMode::centroid) fit = centroidAtSeed(near);
+    if (!fit) return none(std::string(name(mode)), near);
+    FittedFeature feature{.mode = mode};
+    feature.position = fit->place;
+    feature.covariance = fit->covariance;
+    feature.rms = fit->rms;
+    feature.inliers = fit->inliers;
+    return feature;
+}
+
+Result<FittedFeature> fitAt(const Neighbourhood& near, SnapMode mode) {
+    switch (mode) {
+        case SnapMode::plane:
+            return plane(near);
+        case SnapMode::edge:
+            return edge(near);
+        case SnapMode::circle:
+            return circle(near);
+        case SnapMode::point:
+        case SnapMode::corner:
+        case SnapMode::highest:
+        case SnapMode::lowest:
+        case SnapMode::centroid:
+            break;
+    }
+    return place(mode, near);
+}
+
+}  // namespace
+
+Result<FittedFeature> snapFeature(const SnapRequest& request, SnapMode mode) {
+    if (mode == SnapMode::point) {
+        FittedFeature feature{.mode = mode, .position = request.seed};
+        feature.covariance = request.sensorNoise_m * request.sensorNoise_m * Eigen::Matrix3d::Identity();
+        feature.inliers = 1;
+        return feature;
+    }
+    return guarded("fitting", [&]() -> Result<FittedFeature> {
+        // A circle is wider than what is needed for a plane: a wheel has its rim about the pick.
+        const auto near = neighbourhoodOf(request, mode == SnapMode::circle && request.radius_m <= 0 ? 3 : 1);
+        if (!near) return fail(near.error());
+        auto feature = fitAt(*near, mode);
+        if (feature) feature->position += request.seed;
+        return feature;
+    });
+}
+
+}  // namespace vestige

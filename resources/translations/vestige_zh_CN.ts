@@ -1,0 +1,1227 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Score at each voxel size (lower is better)</source>
+        <translation>各级体素尺寸的得分（越低越好）</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>迭代</translation>
+    </message>
+    <message>
+        <source>voxel</source>
+        <translation>体素</translation>
+    </message>
+    <message>
+        <source>trust radius</source>
+        <translation>信赖域半径</translation>
+    </message>
+    <message>
+        <source>step (hollow: not taken)</source>
+        <translation>步长（空心：未采用）</translation>
+    </message>
+    <message>
+        <source>distance to the target&apos;s surface, %1</source>
+        <translation>到目标表面的距离，%1</translation>
+    </message>
+    <message>
+        <source>%1 points further off</source>
+        <translation>另有 %1 个点更远</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <comment>a sentence that core says</comment>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>Nothing is excluded: the errors are systematic, their mean is %1 %.</source>
+        <translation>未剔除任何对象：误差为系统误差，其平均值为 %1 %。</translation>
+    </message>
+    <message>
+        <source>No object lies beyond 2 SD.</source>
+        <translation>没有对象超出 2 倍标准差。</translation>
+    </message>
+    <message>
+        <source>Beyond 2 SD and excluded: %1.</source>
+        <translation>超出 2 倍标准差而被剔除：%1。</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>hashed</source>
+        <translation>已计算哈希</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>未改变</translation>
+    </message>
+    <message>
+        <source>touched</source>
+        <translation>被触碰</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>已改变</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>step %1%2</source>
+        <translation>步长 %1%2</translation>
+    </message>
+    <message>
+        <source>, not taken</source>
+        <translation>，未采用</translation>
+    </message>
+    <message>
+        <source>start of this size</source>
+        <translation>本级尺寸的起点</translation>
+    </message>
+    <message>
+        <source>Voxels %1 · trust radius %2 · %3 · score %4</source>
+        <translation>体素 %1 · 信赖域半径 %2 · %3 · 得分 %4</translation>
+    </message>
+    <message>
+        <source>(not held at all)</source>
+        <translation>（完全没有约束）</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>not held</source>
+        <translation>没有约束</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>重叠度</translation>
+    </message>
+    <message>
+        <source>RMS distance</source>
+        <translation>均方根距离</translation>
+    </message>
+    <message>
+        <source>RMS to planes</source>
+        <translation>到平面的均方根</translation>
+    </message>
+    <message>
+        <source>iterations, converged</source>
+        <translation>次迭代，已收敛</translation>
+    </message>
+    <message>
+        <source>iterations, not converged</source>
+        <translation>次迭代，未收敛</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Turn about</source>
+        <translation>绕轴转角</translation>
+    </message>
+    <message>
+        <source>Nothing: the data hold the pose in all six directions.</source>
+        <translation>无：数据在全部六个方向上都约束了位姿。</translation>
+    </message>
+    <message>
+        <source>Least held: %1 %2.</source>
+        <translation>约束最弱：%1 %2。</translation>
+    </message>
+    <message>
+        <source>None of %1 restarts from perturbed poses came back to this place.</source>
+        <translation>从扰动位姿重新开始的 %1 次计算无一回到此处。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 restarts from perturbed poses came back to this place, %3.</source>
+        <translation>从扰动位姿重新开始的 %2 次计算中有 %1 次回到此处，%3。</translation>
+    </message>
+    <message>
+        <source>within less than 0.1 mm and 0.001°</source>
+        <translation>相差不到 0.1 mm 和 0.001°</translation>
+    </message>
+    <message>
+        <source>within %1 and %2°</source>
+        <translation>相差不超过 %1 和 %2°</translation>
+    </message>
+    <message>
+        <source>1: the best</source>
+        <translation>1：最佳</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3° from the best</source>
+        <translation>%1：与最佳者相差 %2 和 %3°</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>已隐藏</translation>
+    </message>
+    <message>
+        <source>unit not given</source>
+        <translation>未给出单位</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>every %1 point</source>
+        <translation>每 %1 个点取一个</translation>
+    </message>
+    <message>
+        <source>a part of the file</source>
+        <translation>文件的一部分</translation>
+    </message>
+    <message>
+        <source>first look, the rest is being read</source>
+        <translation>初览，其余部分正在读取</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>已配准</translation>
+    </message>
+    <message>
+        <source>Repeats  %1 m</source>
+        <translation>各次测量  %1 m</translation>
+    </message>
+    <message>
+        <source>    SD %1</source>
+        <translation>    标准差 %1</translation>
+    </message>
+    <message>
+        <source>improved NDT</source>
+        <translation>改进 NDT</translation>
+    </message>
+    <message>
+        <source>classic NDT</source>
+        <translation>经典 NDT</translation>
+    </message>
+    <message>
+        <source>ICP</source>
+        <translation>ICP</translation>
+    </message>
+    <message>
+        <source>Registration: add a second scan to align it with the first.</source>
+        <translation>配准：再添加一个扫描，使其与第一个对齐。</translation>
+    </message>
+    <message>
+        <source>Not registered yet. Register (Ctrl+G) aligns the other layers with the target.</source>
+        <translation>尚未配准。“配准”(Ctrl+G) 使其他图层与目标对齐。</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>可接受</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Ambiguous</source>
+        <translation>不唯一</translation>
+    </message>
+    <message>
+        <source>The pose can be relied on, within its uncertainty.</source>
+        <translation>该位姿在其不确定度范围内可以信赖。</translation>
+    </message>
+    <message>
+        <source>The layer was moved; use the pose only if the reasons below do not matter.</source>
+        <translation>图层已移动；仅当下列理由无关紧要时才可使用该位姿。</translation>
+    </message>
+    <message>
+        <source>There is no pose to rely on; the layer was not moved.</source>
+        <translation>没有可信赖的位姿；图层未移动。</translation>
+    </message>
+    <message>
+        <source>Several places fit alike; the layer was not moved. Choose one below.</source>
+        <translation>多处位置吻合程度相同；图层未移动。请在下方选择其一。</translation>
+    </message>
+    <message>
+        <source>About Vestige</source>
+        <translation>关于 Vestige</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Vestige %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Vestige %1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Rebuilds road-accident scenes from aerial and handheld laser scans and measures them.
+
+The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</source>
+        <translation>根据机载和手持激光扫描重建道路交通事故现场，并进行测量。
+
+方法：Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171。</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Two tints</source>
+        <translation>双色</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高程</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>RGB</source>
+        <translation>RGB</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>What the points&apos; colour shows</source>
+        <translation>点的颜色表示什么</translation>
+    </message>
+    <message>
+        <source>Compare two pictures of the scene: swipe, blink, checkerboard</source>
+        <translation>比较现场的两幅画面：卷帘、闪烁、棋盘格</translation>
+    </message>
+    <message>
+        <source>All scans</source>
+        <translation>所有扫描</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation>打开案件</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>案件</translation>
+    </message>
+    <message>
+        <source>Add clouds and meshes</source>
+        <translation>添加点云和网格</translation>
+    </message>
+    <message>
+        <source>Save case</source>
+        <translation>保存案件</translation>
+    </message>
+    <message>
+        <source>Vestige case</source>
+        <translation>Vestige 案件</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>导出测量结果</translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation>报告文件夹</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>Save the changes of &quot;%1&quot; first?</source>
+        <translation>是否先保存“%1”的更改？</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 字节</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>It does not fit, and this format is read whole; save it as LAS or LAZ elsewhere.</source>
+        <translation>内存放不下，而此格式只能整体读取；请在别处将其另存为 LAS 或 LAZ。</translation>
+    </message>
+    <message>
+        <source>It does not fit; one point in %1 would.</source>
+        <translation>内存放不下；每 %1 个点取一个则可以。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the items of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>told once it is loaded</source>
+        <translation>载入后得知</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Least corner</source>
+        <translation>最小角点</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考系</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Written by</source>
+        <translation>生成软件</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source>Damage</source>
+        <translation>损坏</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Select a file to see what is in it.</source>
+        <translation>选择一个文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>Looking into it...</source>
+        <translation>正在查看……</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::AccuracyPanel</name>
+    <message>
+        <source>Relative error by object</source>
+        <translation>各对象的相对误差</translation>
+    </message>
+    <message>
+        <source>Appears once a measured object has a tape value.</source>
+        <translation>有对象测得且有卷尺值后显示。</translation>
+    </message>
+    <message>
+        <source>RMSE of RE, %1 of %2</source>
+        <translation>相对误差的 RMSE，%2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>RMSE of all %1</source>
+        <translation>全部 %1 个的 RMSE</translation>
+    </message>
+    <message>
+        <source>RMSE in length</source>
+        <translation>长度的 RMSE</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::AlignPanel</name>
+    <message>
+        <source>Layer</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Denoise and downsample</source>
+        <translation>去噪与降采样</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Attempts</name>
+    <message>
+        <source>Preview of a pose that was refused; the layer was not moved</source>
+        <translation>预览被拒绝的位姿；图层未移动</translation>
+    </message>
+    <message>
+        <source>Preview of candidate %1 of %2; the layer was not moved</source>
+        <translation>预览第 %1 个候选位姿，共 %2 个；图层未移动</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Autosave</name>
+    <message>
+        <source>the last changes (%1) are not stored: %2</source>
+        <translation>最后的更改（%1 项）未能存储：%2</translation>
+    </message>
+    <message>
+        <source>the disk does not answer</source>
+        <translation>磁盘没有响应</translation>
+    </message>
+    <message>
+        <source>Autosaving works again.</source>
+        <translation>自动保存恢复正常。</translation>
+    </message>
+    <message>
+        <source>Autosaving…</source>
+        <translation>正在自动保存……</translation>
+    </message>
+    <message>
+        <source>Autosaved in your own folder: %1</source>
+        <translation>已自动保存到您自己的文件夹：%1</translation>
+    </message>
+    <message>
+        <source>Autosave failed: %1</source>
+        <translation>自动保存失败：%1</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>所有更改均已保存</translation>
+    </message>
+    <message>
+        <source>All changes autosaved</source>
+        <translation>所有更改均已自动保存</translation>
+    </message>
+    <message>
+        <source>The disk does not answer: changes that were not saved may be offered once more.</source>
+        <translation>磁盘没有响应：未保存的更改可能会再次提供恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::CompareBar</name>
+    <message>
+        <source>Size of the tiles (Left, Right)</source>
+        <translation>方格大小（左、右方向键）</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 像素</translation>
+    </message>
+    <message>
+        <source>Time of each picture (Left, Right); Space holds one</source>
+        <translation>每幅画面的时间（左、右方向键）；空格键停住</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Comparison</name>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>源</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Document</name>
+    <message>
+        <source>Untitled case</source>
+        <translation>未命名案件</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::EditReactions</name>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销 %1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做 %1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Evidence</name>
+    <message>
+        <source>%1 was changed by another program after it was read (layer &apos;%2&apos;). The case still shows what was read; Verify evidence tells whether the content differs.</source>
+        <translation>%1 在读取后被另一程序更改（图层“%2”）。案件仍显示当时读取的内容；“核验证据”可查明内容是否不同。</translation>
+    </message>
+    <message>
+        <source>%1 is gone since it was read (layer &apos;%2&apos;). The case still shows what was read.</source>
+        <translation>%1 在读取后消失（图层“%2”）。案件仍显示当时读取的内容。</translation>
+    </message>
+    <message>
+        <source>Verifying evidence</source>
+        <translation>正在核验证据</translation>
+    </message>
+    <message>
+        <source>Every file is the one that was read (SHA-256).</source>
+        <translation>每个文件都与当时读取的一致（SHA-256）。</translation>
+    </message>
+    <message>
+        <source>%1 of the files differ from what was read.</source>
+        <translation>有 %1 个文件与当时读取的不同。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::EvidencePanel</name>
+    <message>
+        <source>Evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>Files are hashed (SHA-256) as they are read.</source>
+        <translation>文件在读取时计算哈希值（SHA-256）。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ExportReactions</name>
+    <message>
+        <source>Writing the report</source>
+        <translation>正在生成报告</translation>
+    </message>
+    <message>
+        <source>The report and %1 files are in %2.</source>
+        <translation>报告和 %1 个文件已存入 %2。</translation>
+    </message>
+    <message>
+        <source>The measurements are in %1.</source>
+        <translation>测量结果已存入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::FileReactions</name>
+    <message>
+        <source>This case was never saved, so there is nothing to reopen.</source>
+        <translation>本案件从未保存，没有可重新打开的内容。</translation>
+    </message>
+    <message>
+        <source>This case cannot be saved here: %1. Choose another name.</source>
+        <translation>案件无法保存在此处：%1。请换一个名称。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::FitCurve</name>
+    <message>
+        <source>Score, voxel size, trust radius and step at each iteration; click to see one</source>
+        <translation>每次迭代的得分、体素尺寸、信赖域半径和步长；单击查看其中一次</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::FitPanel</name>
+    <message>
+        <source>Nothing is registered yet. Register (Ctrl+G) aligns the other layers with the target; here it then says how far to trust it.</source>
+        <translation>尚未进行配准。“配准”(Ctrl+G) 使其他图层与目标对齐；随后此处说明其可信程度。</translation>
+    </message>
+    <message>
+        <source>A click shows the layer there, without moving it</source>
+        <translation>单击可在该处显示图层，而不移动它</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>候选位姿</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the pose, 95 %</source>
+        <translation>位姿不确定度，95 %</translation>
+    </message>
+    <message>
+        <source>What the data leave free</source>
+        <translation>数据未能约束的方向</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>迭代</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>%1 % fit</source>
+        <translation>吻合 %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::FitTrace</name>
+    <message>
+        <source>%1: size %2 of %3, voxels %4 m, iteration %5</source>
+        <translation>%1：第 %2 级，共 %3 级，体素 %4 m，第 %5 次迭代</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>正在配准</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::FitTraceView</name>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Not watched. Switch on “Watch the fit” (W) and register again.</source>
+        <translation>未观察。请打开“观察配准”(W) 后重新配准。</translation>
+    </message>
+    <message>
+        <source>Shows the layer where the fit had it at this iteration</source>
+        <translation>在该次迭代所处的位置显示图层</translation>
+    </message>
+    <message>
+        <source>Shows all iterations one after the other; Esc ends it</source>
+        <translation>依次显示所有迭代；Esc 结束</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::HeaderBar</name>
+    <message>
+        <source>read-only</source>
+        <translation>只读</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>saved %1</source>
+        <translation>已于 %1 保存</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::LayerForm</name>
+    <message>
+        <source>Select a layer to see what it is.</source>
+        <translation>选择一个图层以查看其信息。</translation>
+    </message>
+    <message>
+        <source>recognise</source>
+        <translation>自动识别</translation>
+    </message>
+    <message>
+        <source>where the file has it</source>
+        <translation>文件所给的位置</translation>
+    </message>
+    <message>
+        <source>pose or picks of the case</source>
+        <translation>案件中的位姿或点对</translation>
+    </message>
+    <message>
+        <source>found automatically</source>
+        <translation>自动查找</translation>
+    </message>
+    <message>
+        <source>Where the registration of this layer starts. Found automatically: anywhere in the target, whatever the layer&apos;s pose and unit</source>
+        <translation>该图层的配准从何处开始。自动查找：在目标中的任意位置，不论图层的位姿和单位</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>None yet. Drop scans here.</source>
+        <translation>暂无。请将扫描拖放到此处。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Loader</name>
+    <message>
+        <source>Recovering a case</source>
+        <translation>正在恢复案件</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>another</source>
+        <translation>另一个案件</translation>
+    </message>
+    <message>
+        <source>%1 was changed while it was opened again. These changes are in place, as one step that Undo takes back.</source>
+        <translation>%1 在重新打开期间被更改。这些更改已作为一步恢复，可用“撤销”取消。</translation>
+    </message>
+    <message>
+        <source>The case before was changed while %1 was read. These changes are kept and offered the next time.</source>
+        <translation>读取 %1 期间原案件被更改。这些更改已保留，下次将提供恢复。</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 个文件</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled; every layer was read.</source>
+        <translation>已取消；所有图层均已读取。</translation>
+    </message>
+    <message>
+        <source>Cancelled; 1 layer was not read.</source>
+        <translation>已取消；有 1 个图层未读取。</translation>
+    </message>
+    <message>
+        <source>Cancelled; %1 layers were not read.</source>
+        <translation>已取消；有 %1 个图层未读取。</translation>
+    </message>
+    <message>
+        <source>Load what is whole</source>
+        <translation>载入完好的部分</translation>
+    </message>
+    <message>
+        <source>Load what is whole of %1</source>
+        <translation>载入 %1 中完好的部分</translation>
+    </message>
+    <message>
+        <source>Load every %1 point</source>
+        <translation>每 %1 个点载入一个</translation>
+    </message>
+    <message>
+        <source>Load only where the other layers are</source>
+        <translation>仅载入其他图层所在的部分</translation>
+    </message>
+    <message>
+        <source>%1: %2. It was not read.</source>
+        <translation>%1：%2。未读取。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::MainWindow</name>
+    <message>
+        <source>Read-only: %1.</source>
+        <translation>只读：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::MeasureTool</name>
+    <message>
+        <source>There is no point within 6 pixels of this click.</source>
+        <translation>此次单击的 6 像素范围内没有点。</translation>
+    </message>
+    <message>
+        <source>New object</source>
+        <translation>新对象</translation>
+    </message>
+    <message>
+        <source>repeat %1 of 3</source>
+        <translation>第 %1 次，共 3 次</translation>
+    </message>
+    <message>
+        <source>repeat %1</source>
+        <translation>第 %1 次</translation>
+    </message>
+    <message>
+        <source>click the second end, Esc gives up</source>
+        <translation>单击第二个端点，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>click the first end</source>
+        <translation>单击第一个端点</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1，%2：%3</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::MeasurementsModel</name>
+    <message>
+        <source>no tape</source>
+        <translation>无卷尺值</translation>
+    </message>
+    <message>
+        <source>Repeats %1 m</source>
+        <translation>各次测量 %1 m</translation>
+    </message>
+    <message>
+        <source>Repeat SD %1 m</source>
+        <translation>重复标准差 %1 m</translation>
+    </message>
+    <message>
+        <source>The tape itself is good to %1 m (1 SD)</source>
+        <translation>卷尺自身的标准不确定度为 %1 m（1 倍标准差）</translation>
+    </message>
+    <message>
+        <source>Excluded from RMSE: |RE| is beyond 2 SD</source>
+        <translation>已从 RMSE 中剔除：|RE| 超出 2 倍标准差</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Tape m</source>
+        <translation>卷尺 m</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>U 95 %</source>
+        <translation>U 95 %</translation>
+    </message>
+    <message>
+        <source>RE %</source>
+        <translation>RE %</translation>
+    </message>
+    <message>
+        <source>There is already an object called &quot;%1&quot;.</source>
+        <translation>已有名为“%1”的对象。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tape length: expected metres above 0, such as 4.78.</source>
+        <translation>“%1”不是卷尺长度：应为大于 0 的米数，例如 4.78。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::MeasurementsPanel</name>
+    <message>
+        <source>Measurements</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>No lengths yet.
+
+Choose Distance above the view and click the two ends of an object, three times. Then type what the tape says.</source>
+        <translation>尚无长度。
+
+请在视图上方选择“距离”，单击对象的两个端点，共三次。然后输入卷尺读数。</translation>
+    </message>
+    <message>
+        <source>The method whose figures are shown</source>
+        <translation>显示其数据的测量方法</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::NoticeBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>关闭此消息</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Notices</name>
+    <message>
+        <source>Cancelled; nothing was changed.</source>
+        <translation>已取消；未作任何更改。</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ObjectsPanel</name>
+    <message>
+        <source>Objects</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>尚未测量。</translation>
+    </message>
+    <message>
+        <source>%1 of 3</source>
+        <translation>%1 / 3</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ParameterEditor</name>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::RecentMenu</name>
+    <message>
+        <source>Open recen&amp;t</source>
+        <translation>打开最近的案件(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::RecoveryBar</name>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>稍后决定</translation>
+    </message>
+    <message>
+        <source>A case that was never saved</source>
+        <translation>一个从未保存的案件</translation>
+    </message>
+    <message>
+        <source>%1 was open when the program ended: %2.</source>
+        <translation>程序结束时 %1 处于打开状态：%2。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>The program ended before this case was saved: %1. They are in place again.</source>
+        <translation>程序在本案件保存之前结束：%1。这些更改已恢复。</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::RegistrationReactions</name>
+    <message>
+        <source>Its iterations were not watched (W).</source>
+        <translation>其迭代过程未被观察 (W)。</translation>
+    </message>
+    <message>
+        <source>Registering %1</source>
+        <translation>正在配准 %1</translation>
+    </message>
+    <message>
+        <source>%1 was not registered: %2. Choose its start under Align, or Register from any pose (Ctrl+Shift+G).</source>
+        <translation>%1 未能配准：%2。请在“对齐”下选择其起点，或使用“从任意位姿配准”(Ctrl+Shift+G)。</translation>
+    </message>
+    <message>
+        <source>%1 was not registered: %2.</source>
+        <translation>%1 未能配准：%2。</translation>
+    </message>
+    <message>
+        <source>: %1</source>
+        <translation>：%1</translation>
+    </message>
+    <message>
+        <source>%1 was not moved: several places fit alike. Choose one under Fit.</source>
+        <translation>%1 未移动：多处位置吻合程度相同。请在“吻合”中选择其一。</translation>
+    </message>
+    <message>
+        <source>%1 was not moved, the registration failed%2. Fit shows what it found.</source>
+        <translation>%1 未移动，配准失败%2。“吻合”面板显示其结果。</translation>
+    </message>
+    <message>
+        <source>The registration of %1 is doubtful%2.</source>
+        <translation>%1 的配准存疑%2。</translation>
+    </message>
+    <message>
+        <source>Taking recorded aims</source>
+        <translation>正在采用记录的点选</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::RegistrationStrip</name>
+    <message>
+        <source>overlap</source>
+        <translation>重叠度</translation>
+    </message>
+    <message>
+        <source>RMS distance</source>
+        <translation>均方根距离</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>移动量</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>次迭代</translation>
+    </message>
+    <message>
+        <source>voxels, %1 sizes</source>
+        <translation>体素，%1 级</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ResidualView</name>
+    <message>
+        <source>%1 points in %2 bars of %3 mm, %4 further off</source>
+        <translation>%1 个点，分为 %2 个 %3 mm 的区间，另有 %4 个更远</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ScenePresenter</name>
+    <message>
+        <source>Distances to the target</source>
+        <translation>到目标的距离</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::StatusStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop this job; the case stays as it was</source>
+        <translation>停止此任务；案件保持原状</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Showing %1 of %2 points</source>
+        <translation>正在显示 %2 个点中的 %1 个</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>%1 points in one layer</source>
+        <translation>%1 个点，1 个图层</translation>
+    </message>
+    <message>
+        <source>%1 points in %2 layers</source>
+        <translation>%1 个点，%2 个图层</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ViewsPanel</name>
+    <message>
+        <source>Views</source>
+        <translation>视图</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::WelcomePage</name>
+    <message>
+        <source>Begin with the aerial cloud</source>
+        <translation>从航测点云开始</translation>
+    </message>
+    <message>
+        <source>Open a case, or add the scans of a scene: the first becomes the frame that all others are registered to. Files can also be dropped here.</source>
+        <translation>打开一个案件，或添加现场的扫描：第一个扫描成为坐标框架，其他扫描都配准到它上面。也可将文件拖放到此处。</translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation>打开案件</translation>
+    </message>
+    <message>
+        <source>Add clouds and meshes</source>
+        <translation>添加点云和网格</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::WorkArea</name>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>对齐</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>吻合</translation>
+    </message>
+</context>
+</TS>
