@@ -14,6 +14,7 @@
 #include "core/report/ResultsJson.h"
 #include "core/report/Wording.h"
 #include "core/scene/CaseFile.h"
+#include "core/scene/Cleaning.h"
 #include "ui/print/PdfPrinter.h"
 
 namespace vestige::cli {
@@ -37,7 +38,8 @@ json layersJson(const SceneState& scene) {
                         {"method", layer.method},
                         {"path", layer.path.string()},
                         {"unit", std::string(symbol(layer.lengthUnit()))},
-                        {"points", layer.data->points->size()},
+                        {"points", loadedData(layer)->points->size()},
+                        {"removed", layer.cleaning ? layer.cleaning->removed.size() : 0},
                         {"triangles", layer.data->geometry->triangles.size()},
                         {"sha256", layer.data->sha256},
                         {"sha256_expected", layer.evidence ? json(layer.evidence->sha256) : json()},

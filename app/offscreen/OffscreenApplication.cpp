@@ -8,6 +8,7 @@
 #include "app/offscreen/OsMesaContext.h"
 #include "ui/view/PaintedSurface.h"
 #include "ui/view/PictureRenderer.h"
+#include "ui/watch/WatchedApplication.h"
 
 namespace vestige {
 
@@ -38,7 +39,7 @@ OffscreenApplication::OffscreenApplication(double scale) : d_(std::make_unique<P
     qunsetenv("QT_QPA_PLATFORMTHEME");
     qunsetenv("QT_STYLE_OVERRIDE");
     qInstallMessageHandler(passOn);
-    d_->application = std::make_unique<QApplication>(d_->count, d_->arguments.data());
+    d_->application = std::make_unique<WatchedApplication>(d_->count, d_->arguments.data());
     // Qt has taken the environment's locale; numbers are written with a point everywhere.
     std::setlocale(LC_NUMERIC, "C");
 }

@@ -85,6 +85,41 @@ std::vector<std::size_t> beginsOf(std::string_view text, std::string_view joint)
     return begins;
 }
 
+/// Stands for a name while a text is translated: the first byte of a character of Unicode's private area.
+constexpr char kHiddenName = '\xee';
+
+/// Names of several words, which could be taken for a part of a sentence, hidden behind one character each.
+class Hiding {
+  public:
+    explicit Hiding(const std::set<std::string, std::less<>>& names) {
+        for (const std::string& name : names)
+            if (name.find(' ') != std::string::npos && names_.size() < kMost) names_.push_back(&name);
+        // A name may be a part of another one.
+        std::stable_sort(names_.begin(), names_.end(),
+                         [](const auto* a, const auto* b) { return a->size() > b->size(); });
+    }
+    std::string hidden(std::string text) const {
+        for (std::size_t i = 0; i < names_.size(); ++i) replaceAll(text, *names_[i], mark(i));
+        return text;
+    }
+    std::string shown(std::string text) const {
+        for (std::size_t i = 0; i < names_.size(); ++i) replaceAll(text, mark(i), *names_[i]);
+        return text;
+    }
+
+  private:
+    static std::string mark(std::size_t i) {
+        return {kHiddenName, static_cast<char>(0x80 + i / 64), static_cast<char>(0x80 + i % 64)};
+    }
+    static void replaceAll(std::string& text, const std::string& what, const std::string& by) {
+        for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+            text.replace(at, what.size(), by);
+    }
+
+    static constexpr std::size_t kMost = 56 * 64;  // U+E000 to U+EDFF
+    std::vector<const std::string*> names_;
+};
+
 class Reading {
   public:
     Reading(Language language, bool namesKnown, const std::set<std::string, std::less<>>& names)
@@ -115,9 +150,9 @@ class Reading {
         if (!values) return std::nullopt;
         // The full stop belongs to the sentence, not to what stands at the end of it.
         if (form.english.pieces.back().empty() && values->back().ends_with('.')) return std::nullopt;
-        if (form.needsFigure && std::none_of(values->begin(), values->end(), [&](std::string_view value) {
-                return isFigure(value) || names_.contains(value);
-            }))
+        if (form.needsFigure && std::none_of(values->begin(), values->end(), isFigure) &&
+            !std::all_of(values->begin(), values->end(),
+                         [&](std::string_view value) { return isName(value); }))
             return std::nullopt;
         std::vector<std::string> said(9);
         for (std::size_t i = 0; i < values->size(); ++i)
@@ -181,6 +216,11 @@ class Reading {
         return said;
     }
 
+    bool isName(std::string_view text) const {
+        return names_.contains(text) || text.starts_with(kHiddenName) ||
+               names_.contains(text.substr(0, text.find(" (")));
+    }
+
     /// "a, b and c" of names.
     std::optional<std::string> list(std::string_view english) const {
         const std::size_t last = english.rfind(" and ");
@@ -190,12 +230,12 @@ class Reading {
         while (!rest.empty()) {
             const std::size_t comma = rest.find(", ");
             const std::string_view one = rest.substr(0, comma);
-            if (!names_.contains(one)) return std::nullopt;
+            if (!isName(one)) return std::nullopt;
             said += (said.empty() ? "" : "\u3001") + std::string(one);
             rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
         }
         const std::string_view end = english.substr(last + 5);
-        if (!names_.contains(end)) return std::nullopt;
+        if (!isName(end)) return std::nullopt;
         return said + "\u548c" + std::string(end);
     }
 
@@ -213,7 +253,10 @@ Translator::Translator(Language language, std::set<std::string, std::less<>> nam
 
 std::string Translator::operator()(std::string_view english) const {
     if (language_ == Language::english) return std::string(english);
-    return Reading(language_, namesKnown_, names_).text(english).value_or(std::string(english));
+    const Hiding hiding(names_);
+    const std::string hidden = hiding.hidden(std::string(english));
+    const auto said = Reading(language_, namesKnown_, names_).text(hidden);
+    return said ? hiding.shown(*said) : std::string(english);
 }
 
 void setLanguage(Language language) {

@@ -12,6 +12,7 @@
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/FormatRegistry.h"
 #include "core/io/InputHash.h"
+#include "core/scene/CleanedData.h"
 
 namespace vestige {
 namespace {
@@ -135,7 +136,13 @@ Result<std::shared_ptr<const LayerData>> loadLayer(const Layer& layer, const std
     if (!check) return fail(check.error());
     if (!check->estimate.fits())
         return fail(tooLarge(file, check->estimate, commandLineOffer(check->estimate)));
-    return loadLayerData(file, options, control);
+    auto data = loadLayerData(file, options, control.sub(0, layer.cleaning ? 0.8 : 1));
+    if (!data || !layer.cleaning) return data;
+    Layer loaded = layer;
+    loaded.data = std::move(*data);
+    if (const Status cleaned = applyCleaning(loaded, control.sub(0.8, 1)); !cleaned)
+        return fail(cleaned.error());
+    return loaded.data;
 }
 
 Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem::path& file,

@@ -11,6 +11,7 @@
 #include "core/pipeline/FrameView.h"
 #include "core/pipeline/KindPaths.h"
 #include "core/pipeline/MeasurementMarks.h"
+#include "core/pipeline/SavedViewPictures.h"
 
 namespace vestige {
 namespace {
@@ -91,6 +92,8 @@ class Planner {
 
     std::vector<PlannedPicture> plan() {
         overviews();
+        for (PlannedPicture& picture : savedViewPictures(scene_, measured_))
+            pictures_.push_back(std::move(picture));
         for (const Layer& layer : scene_.layers)
             if (layer.registration) registration(layer);
         closeUps();
@@ -110,12 +113,14 @@ class Planner {
 
     void overviews() {
         ViewDescription view = describeView(scene_, ColorMode::height, Overlay::none);
+        hideObjects(view, scene_);
         keepLayers(view, placedLayers(scene_));
         if (view.layers.empty()) return;
         view.camera = frameView(view, NamedView::perspective, kWidth, kHeight);
         add("overview-perspective", ReportPicture::Kind::overview, {}, say("The site, coloured by height"),
             view);
         view.camera = frameView(view, NamedView::top, kWidth, kHeight);
+        view.showNorthArrow = knowsNorth(scene_);
         add("overview-top", ReportPicture::Kind::overview, {}, say("The site from above, coloured by height"),
             view);
         measuredObjects();

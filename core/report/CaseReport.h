@@ -9,6 +9,7 @@ namespace vestige {
 Section summarySection(const ReportInput& input);
 Section caseSection(const ReportInput& input);
 Section inputSection(const ReportInput& input);
+Section cleaningSection(const ReportInput& input);
 Section methodSection(const ReportInput& input);
 Section registrationSection(const ReportInput& input);
 Section lengthSection(const ReportInput& input);

@@ -28,6 +28,7 @@ struct Picture {
     std::filesystem::path png;
     std::string caption;
     double width = 1;  ///< share of the text's width; two of 0.5 that follow each other stand side by side
+    bool toScale = false;  ///< as large as its file's dots per inch say, as far as the page has room
 };
 struct BarChart {
     std::string caption;

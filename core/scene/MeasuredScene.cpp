@@ -47,8 +47,11 @@ std::vector<std::string> orderedKeys(const SceneState& scene, const Measurement&
 double localSpacing_m(const SceneState& scene, const PickedPoint& point) {
     if (point.localSpacing_m) return *point.localSpacing_m;
     const Layer& layer = *scene.layer(point.layer);
-    if (!layer.data || !layer.data->octree || layer.data->octree->cloud().empty()) return 0;
-    const Octree& octree = *layer.data->octree;
+    // As loaded: what cleaning takes away round a pick makes it no less certain.
+    const LayerData* data = layer.data.get();
+    if (data && data->uncleaned) data = data->uncleaned.get();
+    if (!data || !data->octree || data->octree->cloud().empty()) return 0;
+    const Octree& octree = *data->octree;
     const Similarity sceneFromHere = sceneFromLayer(layer);
     const Eigen::Vector3d inLayer = sceneFromHere.inverse() * scenePosition(scene, point);
     std::vector<Octree::Neighbour> found;

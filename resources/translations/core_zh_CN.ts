@@ -4022,7 +4022,7 @@
     </message>
     <message>
         <source>Free direction</source>
-        <translation>自由方向</translation>
+        <translation>自由方向判据</translation>
     </message>
     <message>
         <source>Gradient limit</source>
@@ -4082,7 +4082,7 @@
     </message>
     <message>
         <source>Outlier ratio</source>
-        <translation>离群比例</translation>
+        <translation>离群点比例</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -4106,11 +4106,11 @@
     </message>
     <message>
         <source>Seen through of a doubt</source>
-        <translation>存疑的看穿比例</translation>
+        <translation>存疑判据：看穿比例</translation>
     </message>
     <message>
         <source>Seen through of a failure</source>
-        <translation>失败的看穿比例</translation>
+        <translation>失败判据：看穿比例</translation>
     </message>
     <message>
         <source>Share rho of source points that no target cell explains.</source>
@@ -4134,11 +4134,11 @@
     </message>
     <message>
         <source>Support of a doubt</source>
-        <translation>存疑的支持度</translation>
+        <translation>存疑判据：支持度</translation>
     </message>
     <message>
         <source>Support of a failure</source>
-        <translation>失败的支持度</translation>
+        <translation>失败判据：支持度</translation>
     </message>
     <message>
         <source>The file of the source says that it is in %1</source>
@@ -4162,15 +4162,15 @@
     </message>
     <message>
         <source>Thinning of the source</source>
-        <translation>源的稀释</translation>
+        <translation>源点云稀释</translation>
     </message>
     <message>
         <source>Uncertain turn of a doubt</source>
-        <translation>存疑的转角不确定度</translation>
+        <translation>存疑判据：转角不确定度</translation>
     </message>
     <message>
         <source>Uncertainty of a doubt</source>
-        <translation>存疑的不确定度</translation>
+        <translation>存疑判据：不确定度</translation>
     </message>
     <message>
         <source>Voxel of the first pose's search</source>
@@ -6468,8 +6468,8 @@
         <translation>正在计算 %1 的哈希值</translation>
     </message>
     <message>
-        <source>Length %1</source>
-        <translation>长度 %1</translation>
+        <source>Length</source>
+        <translation>长度</translation>
     </message>
     <message>
         <source>Reading %1</source>
@@ -6795,6 +6795,10 @@
         <translation>编译器</translation>
     </message>
     <message>
+        <source>Measuring</source>
+        <translation>测量</translation>
+    </message>
+    <message>
         <source>Open the window again in English</source>
         <translation>以中文重新打开窗口</translation>
     </message>
@@ -6951,6 +6955,18 @@
         <translation>更远</translation>
     </message>
     <message>
+        <source>moves up and down and tilts about a level axis that runs %1</source>
+        <translation>上下移动并绕%1方向的水平轴倾斜</translation>
+    </message>
+    <message>
+        <source>moves up and down and turns about a sloping axis that runs %1</source>
+        <translation>上下移动并绕%1方向的倾斜轴转动</translation>
+    </message>
+    <message>
+        <source>moves up and down and turns about the vertical axis</source>
+        <translation>上下移动并绕竖直轴转动</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>否</translation>
     </message>
@@ -7009,6 +7025,30 @@
     <message>
         <source>set</source>
         <translation>已设定</translation>
+    </message>
+    <message>
+        <source>slides at a slope %1 and tilts about a level axis that runs %2</source>
+        <translation>沿%1方向斜向滑动并绕%2方向的水平轴倾斜</translation>
+    </message>
+    <message>
+        <source>slides at a slope %1 and turns about a sloping axis that runs %2</source>
+        <translation>沿%1方向斜向滑动并绕%2方向的倾斜轴转动</translation>
+    </message>
+    <message>
+        <source>slides at a slope %1 and turns about the vertical axis</source>
+        <translation>沿%1方向斜向滑动并绕竖直轴转动</translation>
+    </message>
+    <message>
+        <source>slides level %1 and tilts about a level axis that runs %2</source>
+        <translation>沿%1方向水平滑动并绕%2方向的水平轴倾斜</translation>
+    </message>
+    <message>
+        <source>slides level %1 and turns about a sloping axis that runs %2</source>
+        <translation>沿%1方向水平滑动并绕%2方向的倾斜轴转动</translation>
+    </message>
+    <message>
+        <source>slides level %1 and turns about the vertical axis</source>
+        <translation>沿%1方向水平滑动并绕竖直轴转动</translation>
     </message>
     <message>
         <source>true</source>

@@ -84,11 +84,11 @@ class Accuracy(unittest.TestCase):
             self.assertIn(part, text)
         with table.open(newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
-                for word in row["object"].split():
+                for word in re.split(r"[\s-]", row["object"]):
                     text = text.replace(word, "")
         same = {"RMSE", "Vestige", "UTC", "SD", "RE"}
         self.assertEqual(set(re.findall("[A-Za-z]{2,}", text)) - same - {"mm", "table", "csv"}, set())
-        self.assertIn("没有此文件", cli("accuracy", self.folder / "absent.csv", "--language", "zh_CN", code=3).stderr)
+        self.assertIn("无法打开文件进行读取", cli("accuracy", self.folder / "absent.csv", "--language", "zh_CN", code=3).stderr)
         cli("accuracy", table, "--language", "de", code=2)
 
     def test_words_for_people(self):

@@ -9,18 +9,18 @@ namespace {
 
 /// Figures of science, file kinds, products and people, which a Chinese text writes as they are.
 const std::set<std::string> kSame{
-    "ASCII",   "CSV",     "EDL",     "ETH",     "Eigen",    "Esc",   "GUM",    "ICP",    "LAS",
-    "LAZ",     "LiDAR",   "NDT",     "OBJ",     "OSMesa",   "PCD",   "PDF",    "PLY",    "PNG",
-    "RGB",     "RMS",     "RMSE",    "RPE",     "SHA",      "STL",   "UTC",    "VTK",    "WGS",
-    "XML",     "Vestige", "Zhang",   "Guan",    "Liu",      "World", "Veh",    "Electr", "Qt",
-    "English", "Ctrl",    "Shift",   "Alt",     "min",      "Mesa",  "GCC",    "sor",    "ror",
-    "ndt",     "icp",     "Vehicle", "Journal", "Electric", "TBB",   "lambda", "rho",    "deg"};
+    "ASCII", "CSV",    "EDL",   "ETH",    "Eigen",     "Esc", "GUM",     "ICP",     "LAS",     "LAZ",
+    "LiDAR", "NDT",    "OBJ",   "OSMesa", "PCD",       "PDF", "PLY",     "PNG",     "RGB",     "RMS",
+    "RMSE",  "RPE",    "SHA",   "STL",    "UTC",       "VTK", "WGS",     "XML",     "Vestige", "Zhang",
+    "Guan",  "Liu",    "World", "Veh",    "Electr",    "Qt",  "English", "Ctrl",    "Shift",   "Alt",
+    "min",   "Mesa",   "GCC",   "sor",    "ror",       "ndt", "icp",     "Vehicle", "Journal", "Electric",
+    "TBB",   "lambda", "rho",   "deg",    "Backspace", "ftUS"};
 
 }  // namespace
 
 std::set<std::string> englishLeft(std::string_view text, const std::set<std::string>& names) {
     static const std::regex file(
-        R"([\w/-]+\.(json|las|ply|csv|pdf|png|vestige|db)\b|[0-9a-f]{12,}|&[a-z]+;|<[^>]*>)");
+        R"([\w/-]+\.(json|las|ply|csv|pdf|png|vestige|db)\b|\.vestige\b|[0-9a-f]{12,}|&[a-z]+;|<[^>]*>)");
     std::string rest = std::regex_replace(std::string(text), file, " ");
     // A name may be a part of another one.
     std::vector<std::string> longestFirst(names.begin(), names.end());

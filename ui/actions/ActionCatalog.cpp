@@ -10,6 +10,7 @@
 #include "ui/actions/ActionText.h"
 #include "ui/actions/Icons.h"
 #include "ui/document/Wording.h"
+#include "ui/watch/WatchedTime.h"
 
 namespace vestige {
 ActionCatalog::ActionCatalog(QWidget* window) : QObject(window) {
@@ -17,6 +18,7 @@ ActionCatalog::ActionCatalog(QWidget* window) : QObject(window) {
     for (const ActionSpec& spec : actionTable()) {
         auto* action = new QAction(said(spec.text), window);
         action->setObjectName(spec.id);
+        action->setIconText(withoutMnemonic(action->text()));
         action->setShortcut(QKeySequence::fromString(spec.shortcut, QKeySequence::PortableText));
         action->setCheckable(spec.checkable);
         action->setStatusTip(said(spec.help));
@@ -64,18 +66,22 @@ QString ActionCatalog::menuText(const ActionSpec& spec) const {
 
 void ActionCatalog::onTriggered(const std::string& id, std::function<void()> reaction) {
     int& ran = reactions_[id];
-    connect(&(*this)[id], &QAction::triggered, this, [reaction = std::move(reaction), &ran] {
-        ++ran;
-        reaction();
-    });
+    connect(&(*this)[id], &QAction::triggered, this,
+            [name = QString::fromStdString(id), reaction = std::move(reaction), &ran] {
+                const WatchedTime watched("action", name);
+                ++ran;
+                reaction();
+            });
 }
 
 void ActionCatalog::onToggled(const std::string& id, std::function<void(bool)> reaction) {
     int& ran = reactions_[id];
-    connect(&(*this)[id], &QAction::toggled, this, [reaction = std::move(reaction), &ran](bool checked) {
-        ++ran;
-        reaction(checked);
-    });
+    connect(&(*this)[id], &QAction::toggled, this,
+            [name = QString::fromStdString(id), reaction = std::move(reaction), &ran](bool checked) {
+                const WatchedTime watched("action", name);
+                ++ran;
+                reaction(checked);
+            });
 }
 
 void ActionCatalog::update(const Situation& situation) {

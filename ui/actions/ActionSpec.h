@@ -26,6 +26,9 @@ struct Situation {
     bool hasMeasured = false;
     bool hasAims = false;
     bool anyPicks = false;  ///< of any object
+    bool pointsSelected = false;
+    bool partSelected = false;  ///< a separated object
+    bool cleaned = false;       ///< points of some layer are taken out
 };
 
 /// One thing the user can do, said once: menus, tool bars, tool tips and the documentation read it here.

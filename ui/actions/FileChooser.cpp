@@ -62,6 +62,10 @@ QString FileChooser::sheetToSave(QWidget* window, const QString& suggestion) {
                                         "PDF (*.pdf);;HTML (*.html);;" + QObject::tr("Text") + " (*.txt)");
 }
 
+QString FileChooser::pictureToSave(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, tr("Save picture"), suggestion, "PNG (*.png)");
+}
+
 QString FileChooser::folderForReport(QWidget* window, const QString& suggestion) {
     return QFileDialog::getExistingDirectory(window, QObject::tr("Folder for the report"), suggestion);
 }

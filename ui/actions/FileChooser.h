@@ -19,6 +19,7 @@ class FileChooser {
     virtual QString tableToOpen(QWidget* window, const QString& title);
     /// PDF, HTML or text.
     virtual QString sheetToSave(QWidget* window, const QString& suggestion);
+    virtual QString pictureToSave(QWidget* window, const QString& suggestion);
     virtual QString folderForReport(QWidget* window, const QString& suggestion);
     enum class Unsaved { save, discard, stay };
     virtual Unsaved unsavedChanges(QWidget* window, const QString& title);

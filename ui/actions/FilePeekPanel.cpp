@@ -104,7 +104,7 @@ std::vector<std::pair<QString, QString>> peekRows(const FileInfo& info, const Lo
     const auto row = [&](const QString& label, const QString& value) {
         if (!value.isEmpty()) rows.emplace_back(label, value);
     };
-    row(QObject::tr("Format"), toQt(info.format + (info.version.empty() ? "" : " " + info.version)));
+    row(QObject::tr("Format"), toQt(info.format + (info.version.empty() ? "" : " " + say(info.version))));
     row(QObject::tr("Size"), sizeText(fileBytes));
     row(QObject::tr("Points"),
         info.points > 0 ? toQt(grouped(info.points)) : QObject::tr("told once it is loaded"));

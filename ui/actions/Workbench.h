@@ -20,11 +20,13 @@ class JobRunner;
 class Loader;
 class Notices;
 class Outputs;
+class PointSelection;
 class Presentation;
 class Preview;
 class RecentFiles;
 class Selection;
 class ViewRenderer;
+struct CleaningSettings;
 
 /// What reactions work with; the window owns all of it.
 struct Workbench {
@@ -48,6 +50,8 @@ struct Workbench {
     std::unique_ptr<Autosave>& autosave;    ///< null where edits are not kept
     ViewRenderer* renderer;                 ///< safe to call from a job; may be null, as the printer
     DocumentPrinter* printer;
+    PointSelection& points;
+    CleaningSettings& cleaning;
 };
 
 }  // namespace vestige

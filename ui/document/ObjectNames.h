@@ -20,12 +20,17 @@ struct PickPlace {
     std::size_t repeat = 0;
     bool path = false;
 };
-/// The object's last repeat among the layers of `method` (of all when it is empty).
+/// The object's last repeat that counts for `method`.
 std::optional<PickPlace> lastPick(const Measurement& measurement, const SceneState& scene,
                                   const std::string& method);
 
 /// How many pairs and paths of the object count for `method`.
 std::size_t pickCount(const Measurement& measurement, const SceneState& scene, const std::string& method);
+
+/// Whether a pair under this key is a repeat of `method`: that of its layer, or the one that takes what was
+/// fitted round its ends (fittedMethod). Every pair is one of the empty method.
+bool countsFor(const SceneState& scene, const std::string& key, const PickedPair& pair,
+               const std::string& method);
 
 /// The method that picks under this key (a layer's id, or a method's name) count for.
 std::string methodOfKey(const SceneState& scene, const std::string& key);

@@ -83,6 +83,11 @@ QString distanceText(double metres) {
 }
 
 QString countText(std::uint64_t count) {
+    if (language() == Language::simplifiedChinese) {  // counts by ten thousands and their squares
+        if (count >= 100000000) return number(static_cast<double>(count) / 1e8, 2) + QStringLiteral(" 亿");
+        if (count >= 10000) return number(static_cast<double>(count) / 1e4, 1) + QStringLiteral(" 万");
+        return QString::number(count);
+    }
     if (count >= 1000000) return number(static_cast<double>(count) / 1e6, 1) + " M";
     if (count >= 10000) return number(static_cast<double>(count) / 1e3, 1) + " k";
     return QString::number(count);

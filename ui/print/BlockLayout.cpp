@@ -73,6 +73,7 @@ struct PlacedPicture {
     QStringList caption;
     double width;
     double height;
+    bool toScale = false;
 };
 
 /// The finest that print shows of a picture; beyond it pixels only make the file large.
@@ -92,6 +93,16 @@ PlacedPicture load(const PageFlow& flow, const Picture& picture, double width, c
     double height = width * opaque.height() / opaque.width();
     const double limit = 0.46 * flow.pageHeight();
     double shown = width;
+    if (picture.toScale && read.dotsPerMeterX() > 0) {
+        const double own = dotsFromMm(1000.0 * read.width() / read.dotsPerMeterX());
+        // One that does not fit would be a lie at any other size; its caption gives the scale.
+        if (own <= 1.001 * width) {
+            shown = own;
+            height = own * opaque.height() / opaque.width();
+            return {opaque.convertToFormat(QImage::Format_RGB888),
+                    wrapText(qt(picture.caption), captionFont, width), shown, height, true};
+        }
+    }
     if (height > limit) {
         shown *= limit / height;
         height = limit;
@@ -109,6 +120,8 @@ void fitToPage(const PageFlow& flow, std::vector<PlacedPicture>& pictures, doubl
     for (const PlacedPicture& picture : pictures) tallest = std::max(tallest, picture.height);
     const double factor = (flow.remaining() - captionHeight) / tallest;
     if (factor >= 1 || factor < 0.67) return;
+    if (std::any_of(pictures.begin(), pictures.end(), [](const PlacedPicture& one) { return one.toScale; }))
+        return;
     for (PlacedPicture& picture : pictures) {
         picture.width *= factor;
         picture.height *= factor;

@@ -42,6 +42,9 @@ double longestWord(const QFontMetricsF& metrics, const QString& text) {
             widest = std::max(widest, metrics.horizontalAdvance(word));
             continue;
         }
+        // A short heading stands on one line all the same.
+        const double fourCharacters = 4.2 * metrics.horizontalAdvance(word.left(1));
+        widest = std::max(widest, std::min(fourCharacters, metrics.horizontalAdvance(word)));
         QTextBoundaryFinder places(QTextBoundaryFinder::Line, word);
         for (int begin = 0, end = places.toNextBoundary(); end > 0;
              begin = end, end = places.toNextBoundary())

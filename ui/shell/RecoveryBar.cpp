@@ -8,10 +8,8 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "core/scene/CaseFile.h"
 #include "ui/document/Autosave.h"
 #include "ui/document/Loader.h"
-#include "ui/document/Wording.h"
 
 namespace vestige {
 
@@ -46,8 +44,8 @@ RecoveryBar::RecoveryBar(Autosave& autosave, Loader& loader, std::function<bool(
     connect(discard_, &QPushButton::clicked, this, [this] { discard(); });
     connect(later, &QToolButton::clicked, this, &QWidget::hide);
     connect(&loader_, &Loader::recovered, this, [this](const QString& sentence) { tellRecovered(sentence); });
-    connect(&loader_, &Loader::opened, this, [this](const QString& path) {
-        const auto place = casePlace(toPath(path)).string();
+    connect(&loader_, &Loader::opened, this, [this] {
+        const auto place = autosave_.place().string();
         std::erase_if(offers_, [&](const Abandoned& one) { return one.content.caseFile == place; });
         if (!ofOpenCase_) offerNext();
     });
@@ -58,8 +56,10 @@ RecoveryBar::RecoveryBar(Autosave& autosave, Loader& loader, std::function<bool(
 }
 
 void RecoveryBar::offerAbandoned() {
-    offers_ = autosave_.abandoned();
-    offerNext();
+    loader_.findAbandoned([this](std::vector<Abandoned> found) {
+        offers_ = std::move(found);
+        if (!ofOpenCase_) offerNext();
+    });
 }
 
 void RecoveryBar::offerNext() {
@@ -87,10 +87,11 @@ void RecoveryBar::accept() {
     if (ofOpenCase_) return offerNext();
     if (!mayLeave_()) return;
     const Abandoned chosen = offers_.front();
-    // What came of it in spite of a failure, a layer that is missing, is told by `recovered`.
-    if (!loader_.recover(chosen) && !ofOpenCase_) return;
-    std::erase_if(offers_, [&](const Abandoned& one) { return one.folder == chosen.folder; });
-    if (!ofOpenCase_) offerNext();
+    loader_.recover(chosen, [this, chosen](bool opened) {
+        if (!opened) return;
+        std::erase_if(offers_, [&](const Abandoned& one) { return one.folder == chosen.folder; });
+        if (!ofOpenCase_) offerNext();
+    });
 }
 
 void RecoveryBar::discard() {

@@ -38,6 +38,8 @@ QString colorText(const Presentation& shown) {
             return QObject::tr("Intensity");
         case ColorMode::rgb:
             return QObject::tr("RGB");
+        case ColorMode::classification:
+            return QObject::tr("Class");
         case ColorMode::source:
             break;
     }
@@ -51,11 +53,13 @@ QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentatio
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("What the points' colour shows"));
     auto* menu = new QMenu(button);
-    for (const char* id :
-         {"view.color-source", "view.color-height", "view.color-intensity", "view.color-rgb"})
+    for (const char* id : {"view.color-source", "view.color-height", "view.color-intensity", "view.color-rgb",
+                           "view.color-class"})
         menu->addAction(&actions[id]);
     menu->addSeparator();
     for (const char* id : {"register.tint", "register.residual"}) menu->addAction(&actions[id]);
+    menu->addSeparator();
+    menu->addAction(&actions["view.color-range"]);
     button->setMenu(menu);
     const auto name = [button, &presentation] { button->setText(colorText(presentation)); };
     QObject::connect(&presentation, &Presentation::changed, button, name);
@@ -143,6 +147,8 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->addWidget(buttonFor(actions["tool.orbit"], Qt::ToolButtonTextOnly));
     row->addWidget(buttonFor(actions["tool.distance"], Qt::ToolButtonTextOnly));
     row->addWidget(kindButton(actions));
+    row->addWidget(buttonFor(actions["tool.lasso"], Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(actions["tool.box-select"], Qt::ToolButtonIconOnly));
     row->addWidget(gap());
     row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));
@@ -152,6 +158,9 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->addWidget(buttonFor(actions["view.smaller-points"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["view.larger-points"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["view.edl"], Qt::ToolButtonIconOnly));
+    row->addWidget(gap());
+    for (const char* id : {"view.fit", "view.four", "view.parallel", "view.section", "view.screenshot"})
+        row->addWidget(buttonFor(actions[id], Qt::ToolButtonIconOnly));
 }
 
 }  // namespace vestige

@@ -26,18 +26,19 @@ void ViewArea::setTools(QWidget* tools) {
     arrange();
 }
 
-void ViewArea::setBar(QWidget* bar) {
-    bar_ = bar;
+void ViewArea::addBar(QWidget* bar) {
+    bars_.push_back(bar);
+    const bool shown = !bar->isHidden();
     bar->setParent(this);
+    bar->setVisible(shown);
     bar->installEventFilter(this);
     arrange();
 }
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
     const auto type = event->type();
-    if ((watched == bar_ || watched == chooser_) &&
-        (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest))
-        arrange();
+    const bool isBar = watched == chooser_ || std::find(bars_.begin(), bars_.end(), watched) != bars_.end();
+    if (isBar && (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest)) arrange();
     return QWidget::eventFilter(watched, event);
 }
 
@@ -73,7 +74,9 @@ void ViewArea::showChooser(bool show) {
 
 std::vector<QRectF> ViewArea::covered() const {
     std::vector<QRectF> places;
-    for (const QWidget* widget : {tools_, bar_, chooser_, static_cast<QWidget*>(hint_)})
+    std::vector<const QWidget*> over{tools_, hint_, chooser_};
+    over.insert(over.end(), bars_.begin(), bars_.end());
+    for (const QWidget* widget : over)
         if (widget && !widget->isHidden()) places.emplace_back(widget->geometry());
     return places;
 }
@@ -94,11 +97,12 @@ void ViewArea::arrange() {
         tools_->raise();
     }
     int below = tools_ ? tools_->geometry().bottom() + 8 : 10;
-    if (bar_ && !bar_->isHidden()) {
-        bar_->adjustSize();
-        bar_->move(10, below);
-        bar_->raise();
-        below = bar_->geometry().bottom() + 8;
+    for (QWidget* bar : bars_) {
+        if (bar->isHidden()) continue;
+        bar->adjustSize();
+        bar->move(10, below);
+        bar->raise();
+        below = bar->geometry().bottom() + 8;
     }
     int beside = 10;
     if (chooser_ && !chooser_->isHidden()) {

@@ -32,7 +32,7 @@ SideDock& WindowReactions::dock() {
     if (!dock_) {
         dock_ = new SideDock(bench_.actions, shortcuts_, &window_);
         window_.addDockWidget(Qt::RightDockWidgetArea, dock_);
-        window_.resizeDocks({dock_}, {440}, Qt::Horizontal);
+        window_.resizeDocks({dock_}, {360}, Qt::Horizontal);
     }
     return *dock_;
 }

@@ -6,11 +6,13 @@
 #include <QStackedWidget>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/reactions/CleaningReactions.h"
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
 #include "ui/panels/AccuracyPanel.h"
 #include "ui/panels/AlignPanel.h"
 #include "ui/panels/BudgetPanel.h"
+#include "ui/panels/CleanPanel.h"
 #include "ui/panels/EvidencePanel.h"
 #include "ui/panels/FitPanel.h"
 #include "ui/panels/HistoryPanel.h"
@@ -18,9 +20,11 @@
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/MeasurementsPanel.h"
 #include "ui/panels/ObjectsPanel.h"
+#include "ui/panels/PartsPanel.h"
 #include "ui/panels/RegistrationStrip.h"
 #include "ui/panels/ReportPanel.h"
 #include "ui/panels/ViewsPanel.h"
+#include "ui/shell/CleaningTools.h"
 #include "ui/shell/CompareBar.h"
 #include "ui/shell/EmptyCasePage.h"
 #include "ui/shell/NoticeBar.h"
@@ -82,7 +86,7 @@ void WorkArea::follow() {
     const bool empty = scene.layers.empty();
     begun_ = begun_ || !empty || bench_.document.canUndo() || bench_.document.canRedo() ||
              !scene.file.empty() || !scene.measurements.empty();
-    area_->showWelcome(empty);
+    viewArea_->showWelcome(empty);
     empty_->setCurrentIndex(begun_ ? 1 : 0);
     for (QWidget* widget : {static_cast<QWidget*>(steps_), left_, static_cast<QWidget*>(tabs_)})
         widget->setVisible(begun_);
@@ -93,6 +97,11 @@ void WorkArea::addBar(QWidget* bar) {
     column_->insertWidget(1, bar);
 }
 
+void WorkArea::follow(CleaningTools& tools, CleaningReactions& reactions) {
+    connect(&tools, &CleaningTools::hintChanged, viewArea_, &ViewArea::setHint);
+    connect(&reactions, &CleaningReactions::objectMade, parts_, &PartsPanel::editName);
+}
+
 QWidget* WorkArea::makeLeft() {
     auto* content = new QWidget;
     content->setObjectName("panel-content");
@@ -100,8 +109,11 @@ QWidget* WorkArea::makeLeft() {
     column->setContentsMargins(0, 6, 0, 10);
     column->addWidget(new LayersPanel(bench_.document, bench_.selection));
     column->addWidget(new ObjectsPanel(bench_.document, bench_.selection));
+    parts_ = new PartsPanel(bench_.document, bench_.points, bench_.actions);
+    column->addWidget(parts_);
     column->addWidget(new EvidencePanel(bench_.document, bench_.evidence));
-    column->addWidget(new ViewsPanel(bench_.actions));
+    viewsPanel_ = new ViewsPanel(bench_.actions, bench_.document);
+    column->addWidget(viewsPanel_);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
@@ -127,11 +139,11 @@ QWidget* WorkArea::makeMiddle() {
     auto* middle = new QWidget;
     auto* column = columnIn(middle);
     auto* area = new ViewArea;
-    area_ = area;
+    viewArea_ = area;
     area->setView(view_.widget());
     connect(area, &ViewArea::arranged, &view_, [this, area] { view_.setCovered(area->covered()); });
     area->setTools(new ToolPalette(bench_.actions, bench_.presentation));
-    area->setBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
+    area->addBar(new CompareBar(bench_.actions, bench_.comparison, bench_.preview));
     auto* welcome = new WelcomePage(bench_.actions, bench_.recent);
     empty_ = new QStackedWidget;
     empty_->addWidget(welcome);
@@ -178,13 +190,17 @@ QWidget* WorkArea::makeRight() {
         tr("Fit"));
     tabs->addPanel(WayStep::import, new ImportPanel(bench_.document, bench_.selection, bench_.actions),
                    tr("Import"));
+    tabs->addPanel(WayStep::clean,
+                   new CleanPanel(bench_.document, bench_.selection, bench_.points, bench_.cleaning,
+                                  bench_.notices, bench_.actions),
+                   tr("Clean"));
     auto* report = new ReportPanel(bench_.document, bench_.notices, bench_.outputs, bench_.actions);
     tabs->addPanel(WayStep::report, report, tr("Report"));
     connect(report, &ReportPanel::stepWanted, tabs, &StepTabs::showStep);
     tabs->setMinimumWidth(340);
     for (const auto& [id, index] : {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),
                                     std::pair("view.panel-fit", 2), std::pair("view.panel-import", 3),
-                                    std::pair("view.panel-report", 4)})
+                                    std::pair("view.panel-clean", 4), std::pair("view.panel-report", 5)})
         bench_.actions.onTriggered(id, [tabs, index = index] { tabs->setCurrentIndex(index); });
     return tabs;
 }

@@ -9,9 +9,15 @@ class QVBoxLayout;
 
 namespace vestige {
 
+class CleaningReactions;
+class CleaningTools;
 class SceneView;
 class StepBar;
 class StepTabs;
+class ToolSwitch;
+class ViewArea;
+class ViewsPanel;
+class PartsPanel;
 class ToolSwitch;
 class ViewArea;
 
@@ -25,6 +31,11 @@ class WorkArea : public QWidget {
 
     /// One more above the view.
     void addBar(QWidget* bar);
+    /// Shows the hints of lasso and box, and lets the name of a new part be typed.
+    void follow(CleaningTools& tools, CleaningReactions& reactions);
+
+    ViewArea& viewArea() { return *viewArea_; }
+    ViewsPanel& viewsPanel() { return *viewsPanel_; }
 
   signals:
     /// A recent file was chosen.
@@ -45,9 +56,11 @@ class WorkArea : public QWidget {
     StepTabs* tabs_ = nullptr;
     QWidget* left_ = nullptr;
     QWidget* strip_ = nullptr;
-    ViewArea* area_ = nullptr;
     QStackedWidget* empty_ = nullptr;
     bool begun_ = false;  ///< a case, though it may be empty yet
+    ViewArea* viewArea_ = nullptr;
+    ViewsPanel* viewsPanel_ = nullptr;
+    PartsPanel* parts_ = nullptr;
 };
 
 }  // namespace vestige

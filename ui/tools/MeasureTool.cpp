@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 
 #include "core/scene/Edits.h"
+#include "core/scene/MeasuredScene.h"
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
 #include "ui/document/PickChoices.h"
@@ -104,7 +105,11 @@ bool MeasureTool::mouseDoubleClick(SceneView&, const QMouseEvent& event) {
 }
 
 bool MeasureTool::keyPress(SceneView& view, const QKeyEvent& event) {
-    if (!first_ && aids_.mover.keyPress(view, event)) return true;
+    if (!first_ && aids_.mover.keyPress(view, event)) {
+        // The release that follows a drag that was given up is no click.
+        pressed_.reset();
+        return true;
+    }
     if (event.key() != Qt::Key_Escape) return false;
     if (first_)
         abandon();
@@ -124,7 +129,9 @@ void MeasureTool::paint(const SceneView&, QPainter& painter, const ViewCamera& c
 }
 
 void MeasureTool::click(SceneView& view, const QPoint& position) {
-    aids_.probe.take(view, position, [this](const ProbedPlace& place) { take(place); });
+    aids_.probe.take(view, position, [this, asked = abandoned_](const ProbedPlace& place) {
+        if (asked == abandoned_) take(place);
+    });
 }
 
 void MeasureTool::take(const ProbedPlace& place) {
@@ -157,7 +164,8 @@ void MeasureTool::complete(const ProbedPick& second) {
     }
     document_.perform(addPick(object, pair.a.layer, pair));
     if (created) document_.end();
-    selection_.setMethod(methodOfKey(document_.state(), pair.a.layer));
+    const std::string method = methodOfKey(document_.state(), pair.a.layer);
+    selection_.setMethod(pair.a.fitted || pair.b.fitted ? fittedMethod(method) : method);
     selection_.setObject(object);
     const auto& held = document_.state().measurement(object)->picks;
     if (const auto pairs = held.find(pair.a.layer); pairs != held.end())
@@ -167,6 +175,7 @@ void MeasureTool::complete(const ProbedPick& second) {
 }
 
 void MeasureTool::abandon() {
+    ++abandoned_;
     first_.reset();
     problem_.clear();
     showPending(std::nullopt);

@@ -73,6 +73,7 @@ class MeasureTool : public QObject, public ViewTool {
     std::optional<QPoint> pressed_;
     std::optional<ProbedPick> first_;
     std::optional<PickHandle> last_;  ///< the end that was picked last
+    int abandoned_ = 0;               ///< clicks that were not answered before are not wanted
     bool completing_ = false;         ///< the last click ended a pair
     QString problem_;                 ///< why a click would take nothing, or what a move has come to
 };

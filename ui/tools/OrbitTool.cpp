@@ -42,4 +42,10 @@ void OrbitTool::paint(const SceneView&, QPainter& painter, const ViewCamera& cam
     mover_.paint(painter, camera, theme, choices_.movable());
 }
 
+bool OrbitTool::mouseDoubleClick(SceneView& view, const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return false;
+    view.setPivotAt(event.pos());
+    return true;
+}
+
 }  // namespace vestige

@@ -9,7 +9,7 @@ class PickChoices;
 class PickMover;
 
 /// Leaves the mouse to navigation and tells what is under the cursor. Picks of the selected object can be
-/// moved where PickChoices allows it.
+/// moved where PickChoices allows it. A double click sets what the view turns about.
 class OrbitTool : public ViewTool {
   public:
     OrbitTool(HoverProbe& probe, PickMover& mover, const PickChoices& choices)
@@ -19,6 +19,7 @@ class OrbitTool : public ViewTool {
     bool mousePress(SceneView& view, const QMouseEvent& event) override;
     bool mouseMove(SceneView& view, const QMouseEvent& event) override;
     bool mouseRelease(SceneView& view, const QMouseEvent& event) override;
+    bool mouseDoubleClick(SceneView& view, const QMouseEvent& event) override;
     bool keyPress(SceneView& view, const QKeyEvent& event) override;
     bool holdsKey(const SceneView& view, const QKeyEvent& event) const override;
     void paint(const SceneView& view, QPainter& painter, const ViewCamera& camera,

@@ -44,8 +44,10 @@ void paintHandle(QPainter& painter, const ViewTheme& theme, const QPointF& at, b
 
 }  // namespace
 
-Eigen::Vector3d measuredPlace(const SceneState& scene, const PickedPoint& point) {
-    return point.fitted ? sceneFromPick(scene, point) * point.fitted->position : scenePosition(scene, point);
+Eigen::Vector3d measuredPlace(const SceneState& scene, const PickedPoint& point, const std::string& method) {
+    const auto feature = sceneFeature(scene, point);
+    return feature && method != methodOfKey(scene, point.layer) ? feature->position
+                                                                : scenePosition(scene, point);
 }
 
 std::vector<PlacedRepeat> shownRepeats(const SceneState& scene, const Selection& selection) {
@@ -53,9 +55,10 @@ std::vector<PlacedRepeat> shownRepeats(const SceneState& scene, const Selection&
     const Measurement* object = scene.measurement(selection.object());
     if (!object) return repeats;
     for (const auto& [key, pairs] : object->picks) {
-        if (!selection.method().empty() && methodOfKey(scene, key) != selection.method()) continue;
         for (std::size_t i = 0; i < pairs.size(); ++i)
-            repeats.push_back({key, i, measuredPlace(scene, pairs[i].a), measuredPlace(scene, pairs[i].b)});
+            if (countsFor(scene, key, pairs[i], selection.method()))
+                repeats.push_back({key, i, measuredPlace(scene, pairs[i].a, selection.method()),
+                                   measuredPlace(scene, pairs[i].b, selection.method())});
     }
     return repeats;
 }

@@ -33,8 +33,9 @@ struct PlacedRepeat {
     Eigen::Vector3d b;
 };
 
-/// Where a pick is measured to: at what was fitted, else at the measured point; scene, metres.
-Eigen::Vector3d measuredPlace(const SceneState& scene, const PickedPoint& point);
+/// Where a pick is measured to; scene, metres. At what was fitted round it, else at the measured point; there
+/// in any case where `method` is its layer's own, which takes the points alone.
+Eigen::Vector3d measuredPlace(const SceneState& scene, const PickedPoint& point, const std::string& method);
 
 /// The repeats of the selected object that count for the selected method, in the order of their keys.
 std::vector<PlacedRepeat> shownRepeats(const SceneState& scene, const Selection& selection);

@@ -134,6 +134,13 @@ void PickMover::select(std::optional<PickHandle> handle) {
 
 void PickMover::leave(SceneView& view) {
     endNudge();
+    if (nudge_) {
+        // No more answers come from here on: what the keys had come to counts.
+        const Nudge done = *nudge_;
+        nudge_.reset();
+        view.setPendingMark(std::nullopt);
+        if (done.last) finish(view, done.handle, *done.last);
+    }
     if (held_) giveUp(view);
     pointed_.reset();
     active_.reset();
@@ -174,8 +181,8 @@ void PickMover::propose(SceneView& view, const PickHandle& handle, const ProbedP
         emit told(problem);
         return;
     }
-    const Eigen::Vector3d fixed = measuredPlace(scene, *other);
-    const double before_m = (measuredPlace(scene, *end) - fixed).norm();
+    const Eigen::Vector3d fixed = measuredPlace(scene, *other, selection_.method());
+    const double before_m = (measuredPlace(scene, *end, selection_.method()) - fixed).norm();
     const double now_m = (place.pick->place() - fixed).norm();
     const QString length = lengthText(now_m) + " m";
     view.setPendingMark(ViewMark{fixed, place.pick->place(), length.toStdString(), true});

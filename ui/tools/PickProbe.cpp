@@ -4,7 +4,6 @@
 #include <QMouseEvent>
 #include <QWidget>
 
-#include "core/measurement/TransformedFeature.h"
 #include "core/measurement/fit/Snap.h"
 #include "core/scene/MeasuredScene.h"
 #include "core/scene/PickFrame.h"
@@ -201,7 +200,7 @@ ProbedPlace PickProbe::answered(const Question& question, ProbedPlace place,
         return place;
     }
     place.pick->feature = *feature;
-    place.pick->point.fitted = transformed(question.pointFromShown, *feature);
+    place.pick->point.fitted = moved(*feature, question.pointFromShown);
     return place;
 }
 

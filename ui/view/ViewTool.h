@@ -3,6 +3,7 @@
 class QKeyEvent;
 class QMouseEvent;
 class QPainter;
+class QWheelEvent;
 
 namespace vestige {
 
@@ -20,8 +21,10 @@ class ViewTool {
     virtual bool mousePress(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseMove(SceneView&, const QMouseEvent&) { return false; }
     virtual bool mouseRelease(SceneView&, const QMouseEvent&) { return false; }
-    /// The second press of two quick ones; a release follows.
+    /// Comes in the place of the second press of a double click; a release follows. Not taken, it does
+    /// nothing.
     virtual bool mouseDoubleClick(SceneView&, const QMouseEvent&) { return false; }
+    virtual bool wheel(SceneView&, const QWheelEvent&) { return false; }
     virtual bool keyPress(SceneView&, const QKeyEvent&) { return false; }
     /// True for a key that keyPress would take now and that no shortcut may take before.
     virtual bool holdsKey(const SceneView&, const QKeyEvent&) const { return false; }

@@ -159,8 +159,8 @@ Result<ImportedPicks> importPicks(const SceneState& scene, std::span<const Liste
     Named named;
     for (const auto& [where, gathered] : *repeats) {
         const auto& [object, key, ofPath, repeat] = where;
-        const auto named = [&object = object](const Measurement& m) { return m.object == object; };
-        auto found = std::find_if(imported.changed.begin(), imported.changed.end(), named);
+        const auto isIt = [&object = object](const Measurement& m) { return m.object == object; };
+        auto found = std::find_if(imported.changed.begin(), imported.changed.end(), isIt);
         if (found == imported.changed.end()) {
             Measurement fresh;
             fresh.object = object;

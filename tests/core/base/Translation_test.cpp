@@ -82,6 +82,12 @@ TEST(Translation, LeavesNamesAlone) {
     const Translator say = withNames({"yes", "not measurable", "Hood and roof", "Door"});
     EXPECT_EQ(say("yes"), "yes");
     EXPECT_EQ(say("Not measurable: not measurable."), "无法测量：not measurable。");
+    const Translator cars =
+        withNames({"Width of the car", "Length of the car", "Length of the car's box", "Box"});
+    EXPECT_EQ(cars("Not measurable: Length of the car's box (激光扫描), Box (激光扫描) and Width of the car "
+                   "(激光扫描)."),
+              "无法测量：Length of the car's box (激光扫描)、Box (激光扫描)和Width of the car (激光扫描)。");
+    EXPECT_EQ(cars("pick Length of the car, repeat 2"), "点选 Length of the car，第 2 次");
     EXPECT_EQ(say("Not measurable: yes, Hood and roof and Door."), "无法测量：yes、Hood and roof和Door。");
 }
 

@@ -13,11 +13,13 @@
 
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/Translation.h"
+#include "core/scene/Scene.h"
 #include "tests/support/EnglishLeft.h"
 #include "tests/support/TestPaths.h"
 #include "tests/ui/shell/SampleScans.h"
 #include "tests/ui/shell/WindowDriver.h"
 #include "ui/actions/ActionText.h"
+#include "ui/document/Document.h"
 #include "ui/document/LanguageSetting.h"
 #include "ui/jobs/InlineJobRunner.h"
 #include "ui/shell/UseLanguage.h"

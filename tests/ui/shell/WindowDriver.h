@@ -24,7 +24,9 @@ class PreparedAnswers : public FileChooser {
     QString folderForReport(QWidget*, const QString&) override { return folder; }
     Unsaved unsavedChanges(QWidget*, const QString&) override { return unsaved; }
 
-    QString casePath, csv, folder, table, sheet;
+    QString pictureToSave(QWidget*, const QString&) override { return picture; }
+
+    QString casePath, csv, folder, table, sheet, picture;
     QStringList files;
     Unsaved unsaved = Unsaved::discard;
 };

@@ -44,12 +44,20 @@ void ExportReactions::exportReport(const std::filesystem::path& folder) {
 }
 
 void ExportReactions::exportCsv(const std::filesystem::path& file) {
-    if (const Status apart = isNoInput(bench_.document.state(), file); !apart)
-        return bench_.notices.failed(apart.error());
-    const Status written = writeTextFile(file, measurementsCsv(bench_.document.measured()));
-    if (!written) return bench_.notices.failed(written.error());
-    bench_.outputs.add(Outputs::Kind::table, toQt(file));
-    bench_.notices.informOf(tr("The measurements are in %1.").arg(toQt(file.filename())), toQt(file));
+    bench_.jobs.run<bool>(
+        tr("Writing %1").arg(toQt(file.filename())),
+        [scene = bench_.document.state(), measured = bench_.document.measured(),
+         file](const JobControl&) -> Result<bool> {
+            if (const Status apart = isNoInput(scene, file); !apart) return fail(apart.error());
+            if (const Status written = writeTextFile(file, measurementsCsv(measured)); !written)
+                return fail(written.error());
+            return true;
+        },
+        [this, file](Result<bool> written) {
+            if (!written) return bench_.notices.failed(written.error());
+            bench_.outputs.add(Outputs::Kind::table, toQt(file));
+            bench_.notices.informOf(tr("The measurements are in %1.").arg(toQt(file.filename())), toQt(file));
+        });
 }
 
 }  // namespace vestige

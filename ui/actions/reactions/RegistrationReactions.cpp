@@ -6,6 +6,7 @@
 #include "core/pipeline/RegisterLayers.h"
 #include "core/pipeline/RegisterTogether.h"
 #include "core/pipeline/ResolveAims.h"
+#include "core/scene/CleanedData.h"
 #include "core/scene/Edits.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/document/Attempts.h"
@@ -116,8 +117,11 @@ void RegistrationReactions::run(const std::vector<std::string>& layers,
     }
     bench_.jobs.run<AttemptedLayers>(
         tr("Registering %1").arg(names),
-        [scene = std::move(scene), layers, watches](const JobControl& control) {
-            return attemptLayers(scene, layers, control, watches);
+        [scene = std::move(scene), layers, watches](const JobControl& control) -> Result<AttemptedLayers> {
+            SceneState cleaned = scene;
+            if (const Status applied = applyCleaning(cleaned, control.sub(0, 0)); !applied)
+                return fail(applied.error());
+            return attemptLayers(cleaned, layers, control, watches);
         },
         [this, names, start](Result<AttemptedLayers> all) {
             bench_.trace.finish();
