@@ -8,6 +8,9 @@
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/Numbers.h"
 #include "core/pipeline/RegistrationsJson.h"
+#include "core/report/CheckBlocks.h"
+#include "core/report/ChecksJson.h"
+#include "core/report/QuantityText.h"
 #include "core/report/ResultsJson.h"
 #include "core/report/Wording.h"
 #include "core/scene/CaseFile.h"
@@ -55,6 +58,8 @@ json resultJson(const Reconstruction& result) {
             {"registration", registrationsJson(result.scene, true)},
             {"measurements", measurementsJson(result.measured)},
             {"accuracy", accuracyJson(result.measured.accuracy)},
+            {"quantities", quantitiesJson(result.measured)},
+            {"checks", checksJson(result.measured)},
             {"outputs", std::move(outputs)},
             {"not_made", result.notMade},
             {"warnings", result.warnings},
@@ -82,6 +87,13 @@ void printForPeople(const Session& session, const Reconstruction& result, const 
                       (method.excluded.empty() ? "" : ", without " + listed(method.excluded)) + "; of all " +
                       exactText(method.rmseAll.value_or(0)));
     }
+    for (const auto& kind : result.measured.kinds) {
+        if (kind.kind == MeasurementKind::distance) continue;
+        for (const auto& quantity : kind.quantities)
+            session.print(kind.object + ", " + kind.method + ", " + quantity.label + ": " +
+                          quantitySentence(quantity));
+    }
+    session.print(verificationSentence(result.measured));
     session.print(howMany(result.outputs.size(), "file") + " in " + out);
 }
 
@@ -105,6 +117,7 @@ int run(Session& session, const Options& options) {
         return session.failed(result.error());
     }
     for (const auto& missing : result->notMade) session.log("not made: " + missing);
+    for (const auto& failed : failedChecks(result->measured)) session.log("WARNING: " + failed);
     printForPeople(session, *result, options.out);
     session.printJson(resultJson(*result));
     return 0;

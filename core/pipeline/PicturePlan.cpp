@@ -9,6 +9,7 @@
 #include "core/pipeline/CloseUp.h"
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
+#include "core/pipeline/KindPaths.h"
 #include "core/pipeline/MeasurementMarks.h"
 #include "core/pipeline/SavedViewPictures.h"
 
@@ -138,8 +139,17 @@ class Planner {
             ceiling = std::max(ceiling, top(*mark) + clearance(*mark));
             view.marks.push_back(*mark);
         }
+        view.paths = placedPaths();
+        for (const ViewPath& path : view.paths)
+            for (const Eigen::Vector3d& point : path.points) {
+                box.add(point);
+                ceiling = std::max(ceiling, point.z() + 1);
+            }
         if (box.empty()) return;
         double radius = 0;
+        for (const ViewPath& path : view.paths)
+            for (const Eigen::Vector3d& point : path.points)
+                radius = std::max(radius, (point - box.centre()).norm());
         for (const ViewMark& mark : view.marks)
             radius = std::max({radius, (mark.a - box.centre()).norm(), (mark.b - box.centre()).norm()});
         radius += 0.5;
@@ -147,6 +157,17 @@ class Planner {
         view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.6});
         add("overview-objects", ReportPicture::Kind::overview, {},
             say("The measured objects, coloured by scan") + heightNote(leftOut), view);
+    }
+
+    std::vector<ViewPath> placedPaths() const {
+        MeasuredScene placed;
+        const auto ids = placedLayers(scene_);
+        for (const MeasuredKind& kind : measured_.kinds)
+            if (std::all_of(kind.layers.begin(), kind.layers.end(), [&](const std::string& id) {
+                    return std::find(ids.begin(), ids.end(), id) != ids.end();
+                }))
+                placed.kinds.push_back(kind);
+        return measurementPaths(scene_, placed);
     }
 
     void registration(const Layer& layer) {

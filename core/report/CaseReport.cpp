@@ -21,9 +21,10 @@ std::vector<std::string> namesOf(const ReportInput& input) {
 
 Report caseReport(const ReportInput& input) {
     // A new section is one more line here.
-    constexpr std::array sections{summarySection,     caseSection,         inputSection,  cleaningSection,
-                                  methodSection,      registrationSection, lengthSection, accuracySection,
-                                  uncertaintySection, notesSection,        originSection};
+    constexpr std::array sections{summarySection,  caseSection,         inputSection,       cleaningSection,
+                                  methodSection,   registrationSection, lengthSection,      kindSection,
+                                  accuracySection, checkSection,        uncertaintySection, notesSection,
+                                  originSection};
     Report report;
     report.title = "Scene measurement report";
     report.subtitle = "Digital reconstruction of a road-accident scene from laser scans";

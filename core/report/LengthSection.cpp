@@ -46,7 +46,7 @@ Section lengthSection(const ReportInput& input) {
                   "repeats. U 95 % is the "
                   "expanded uncertainty: with a probability of 95 % the true length lies within the mean "
                   "plus or minus U (how it is "
-                  "found stands under \u201cUncertainty of the lengths\u201d). RE is the relative error "
+                  "found stands under \u201cUncertainty of the figures\u201d). RE is the relative error "
                   "against the tape."});
     section.blocks.push_back(std::move(table));
     if (excluded)

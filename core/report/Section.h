@@ -53,7 +53,19 @@ struct LineChart {
     };
     std::vector<Series> series;
 };
-using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart, LineChart>;
+/// Lines in metres on axes as they are, not logarithmic: a cross-section, a crush profile.
+struct Diagram {
+    std::string caption;
+    std::string xName;  ///< with unit
+    std::string yName;
+    struct Series {
+        std::string name;
+        std::vector<std::pair<double, double>> points;
+        bool dots = false;  ///< marks its points, e.g. stations
+    };
+    std::vector<Series> series;
+};
+using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart, LineChart, Diagram>;
 
 struct Section {
     std::string title;

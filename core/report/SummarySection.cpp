@@ -1,6 +1,7 @@
 #include "core/base/Numbers.h"
 #include "core/base/Translation.h"
 #include "core/report/CaseReport.h"
+#include "core/report/CheckBlocks.h"
 #include "core/report/Wording.h"
 #include "core/scene/FileEvidence.h"
 
@@ -47,6 +48,7 @@ Section summarySection(const ReportInput& input) {
     section.blocks.push_back(Paragraph{text});
     for (const auto& method : input.measured.accuracy)
         if (method.n > 0) section.blocks.push_back(Paragraph{accuracySentence(method)});
+    section.blocks.push_back(Paragraph{verificationSentence(input.measured)});
     std::vector<std::string> changed;
     std::vector<std::string> partial;
     for (const auto& layer : input.scene.layers) {

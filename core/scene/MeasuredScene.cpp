@@ -243,16 +243,24 @@ MeasuredScene measureScene(const SceneState& scene) {
         bool fitted;
     };
     std::vector<Way> ways;
-    for (const std::string& method : methodsOf(scene)) {
+    const std::vector<std::string> methods = methodsOf(scene);
+    for (const std::string& method : methods) {
         ways.push_back({method, false});
         if (hasFittedPicks(scene, method)) ways.push_back({method, true});
     }
+    result.kinds = measureKinds(scene, methods);
     for (const Measurement& measurement : scene.measurements)
-        for (const Way& way : ways)
-            result.lengths.push_back(measured(scene, measurement, way.method, way.fitted));
+        for (const Way& way : ways) {
+            const std::string method = way.fitted ? fittedMethod(way.method) : way.method;
+            if (measurement.kind == MeasurementKind::distance)
+                result.lengths.push_back(measured(scene, measurement, way.method, way.fitted));
+            else if (auto row = lengthOfKind(result.kinds, measurement, method))
+                result.lengths.push_back(std::move(*row));
+        }
     for (const Way& way : ways)
         result.accuracy.push_back(
             accuracyOf(way.fitted ? fittedMethod(way.method) : way.method, result.lengths));
+    result.checks = distanceChecks(scene, result.lengths);
     return result;
 }
 

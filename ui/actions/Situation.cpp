@@ -40,6 +40,7 @@ Situation situationOf(const Document& document, const Selection& selection, cons
     now.hasPicks = object && pickCount(*object, scene, selection.method()) > 0;
     for (const MeasuredLength& length : document.measured().lengths)
         now.hasMeasured |= length.length.has_value();
+    for (const MeasuredKind& kind : document.measured().kinds) now.hasMeasured |= !kind.quantities.empty();
     for (const Measurement& measurement : scene.measurements) {
         now.hasAims |= !measurement.aims.empty();
         now.anyPicks |= !measurement.picks.empty() || !measurement.paths.empty();

@@ -5,11 +5,15 @@
 
 namespace vestige {
 
-std::string freeObjectName(const SceneState& scene) {
+std::string freeObjectName(const SceneState& scene, const std::string& word) {
     for (int n = 1;; ++n) {
-        std::string name = say("Length") + " " + std::to_string(n);
+        std::string name = (word.empty() ? say("Length") : word) + " " + std::to_string(n);
         if (!scene.measurement(name)) return name;
     }
+}
+
+std::string shortLabel(const KindSpec& spec) {
+    return spec.label.substr(0, spec.label.find(" ("));
 }
 
 std::string methodOfKey(const SceneState& scene, const std::string& key) {
@@ -30,6 +34,9 @@ std::optional<PickPlace> lastPick(const Measurement& measurement, const SceneSta
     for (const auto& [key, pairs] : measurement.picks)
         for (std::size_t i = 0; i < pairs.size(); ++i)
             if (countsFor(scene, key, pairs[i], method)) last = PickPlace{key, i};
+    for (const auto& [key, paths] : measurement.paths)
+        if (!paths.empty() && (method.empty() || methodOfKey(scene, key) == method))
+            last = PickPlace{key, paths.size() - 1, true};
     return last;
 }
 
@@ -37,6 +44,8 @@ std::size_t pickCount(const Measurement& measurement, const SceneState& scene, c
     std::size_t count = 0;
     for (const auto& [key, pairs] : measurement.picks)
         for (const PickedPair& pair : pairs) count += countsFor(scene, key, pair, method);
+    for (const auto& [key, paths] : measurement.paths)
+        if (method.empty() || methodOfKey(scene, key) == method) count += paths.size();
     return count;
 }
 

@@ -3,23 +3,28 @@
 #include <optional>
 #include <string>
 
+#include "core/measurement/kinds/KindSpec.h"
 #include "core/scene/Scene.h"
 
 namespace vestige {
 
 /// "Length 1", "Length 2", ...: the first that no object of the case has.
-std::string freeObjectName(const SceneState& scene);
+std::string freeObjectName(const SceneState& scene, const std::string& word = {});
 
-/// Where a pick stands in Measurement::picks.
+/// The first words of a kind's label: "Arc" of "Arc (yaw mark)".
+std::string shortLabel(const KindSpec& spec);
+
+/// Where a repeat stands in Measurement::picks, or in its paths.
 struct PickPlace {
     std::string layer;
     std::size_t repeat = 0;
+    bool path = false;
 };
-/// The object's last pick that counts for `method`.
+/// The object's last repeat that counts for `method`.
 std::optional<PickPlace> lastPick(const Measurement& measurement, const SceneState& scene,
                                   const std::string& method);
 
-/// How many pairs of the object count for `method`.
+/// How many pairs and paths of the object count for `method`.
 std::size_t pickCount(const Measurement& measurement, const SceneState& scene, const std::string& method);
 
 /// Whether a pair under this key is a repeat of `method`: that of its layer, or the one that takes what was

@@ -9,6 +9,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/Translation.h"
+#include "ui/charts/DiagramChart.h"
 #include "ui/charts/LineChart.h"
 #include "ui/charts/ReChart.h"
 
@@ -190,6 +191,13 @@ void layout(PageFlow& flow, const LineChart& chart) {
     layoutChart(flow, chart.caption, dotsFromMm(66),
                 [=](QPainter& painter, const QRectF& area, const ChartStyle& style) {
                     paintLineChart(painter, area, chart, style);
+                });
+}
+
+void layout(PageFlow& flow, const Diagram& diagram) {
+    layoutChart(flow, diagram.caption, dotsFromMm(58),
+                [=](QPainter& painter, const QRectF& area, const ChartStyle& style) {
+                    paintDiagram(painter, area, diagram, style);
                 });
 }
 

@@ -19,6 +19,7 @@
 #include "ui/actions/reactions/ExchangeReactions.h"
 #include "ui/actions/reactions/ExportReactions.h"
 #include "ui/actions/reactions/FileReactions.h"
+#include "ui/actions/reactions/KindReactions.h"
 #include "ui/actions/reactions/LanguageReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
 #include "ui/actions/reactions/SampleReactions.h"
@@ -77,7 +78,7 @@ struct MainWindow::Private {
           presenter(std::make_unique<ScenePresenter>(
               ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts, marks},
               *jobs, *view)),
-          tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, *view)),
+          tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, notices, *view)),
           bench{window,       actions,  document,          selection,
                 presentation, preview,  comparison,        trace,
                 attempts,     *jobs,    notices,           loader,
@@ -91,6 +92,7 @@ struct MainWindow::Private {
           views(bench),
           viewControls(std::make_unique<ViewControls>(bench, *view, *presenter)),
           exports(bench),
+          kinds(bench),
           exchange(bench),
           sample(bench),
           ofWindow(window, bench, *view),
@@ -134,6 +136,7 @@ struct MainWindow::Private {
     ViewReactions views;
     std::unique_ptr<ViewControls> viewControls;
     ExportReactions exports;
+    KindReactions kinds;
     ExchangeReactions exchange;
     SampleReactions sample;
     WindowReactions ofWindow;

@@ -7,6 +7,7 @@
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
 #include "core/pipeline/FreeDirections.h"
+#include "core/pipeline/KindPaths.h"
 #include "core/scene/PickFrame.h"
 #include "ui/document/Attempts.h"
 #include "ui/document/Comparison.h"
@@ -229,6 +230,8 @@ void ScenePresenter::show(ViewDescription described) {
 void ScenePresenter::annotate(ViewDescription& described) const {
     described.marks = marksOf(models_.document.state(), models_.document.measured(),
                               models_.selection.object(), models_.selection.method());
+    described.paths = measurementPaths(models_.document.state(), models_.document.measured(),
+                                       models_.selection.method(), models_.selection.object());
     described.arrows.clear();
     if (!models_.presentation.freeDirections() || models_.preview.active()) return;
     const ShownFit fit = shownFit(models_.document, models_.selection, models_.attempts);

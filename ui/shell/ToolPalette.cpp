@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/KindTools.h"
 #include "ui/document/Presentation.h"
 
 namespace vestige {
@@ -66,6 +67,42 @@ QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentatio
     return button;
 }
 
+/// One button for the kinds of measurement besides the distance; it shows the one that was used last.
+QToolButton* kindButton(const ActionCatalog& actions) {
+    auto* button = new QToolButton;
+    button->setObjectName("kinds");
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(true);
+    button->setText(QObject::tr("More"));
+    button->setToolTip(QObject::tr("Measure something else: heights, angles, lines, arcs, areas, crush ..."));
+    button->setAccessibleName(QObject::tr("Kinds of measurement"));
+    auto* menu = new QMenu(button);
+    const auto follow = [button, &actions] {
+        bool on = false;
+        for (const auto& [id, kind] : kindTools()) on = on || actions[id].isChecked();
+        button->setChecked(on);
+        button->setEnabled(actions["tool.angle"].isEnabled());
+        QString text = QObject::tr("More");
+        button->setIcon(actions["tool.polyline"].icon());
+        for (const auto& [id, kind] : kindTools()) {
+            if (!actions[id].isChecked()) continue;
+            text = actions[id].text().remove('&');
+            button->setIcon(actions[id].icon());
+        }
+        button->setText(text);
+        if (QWidget* palette = button->parentWidget()) palette->adjustSize();
+    };
+    for (const auto& [id, kind] : kindTools()) {
+        menu->addAction(&actions[id]);
+        QObject::connect(&actions[id], &QAction::changed, button, follow);
+    }
+    QObject::connect(menu, &QMenu::aboutToHide, button, follow, Qt::QueuedConnection);
+    button->setMenu(menu);
+    follow();
+    return button;
+}
+
 /// One button for the ways to compare; pressed while one is on.
 QToolButton* compareButton(const ActionCatalog& actions) {
     auto* button = new QToolButton;
@@ -109,6 +146,7 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->setSpacing(2);
     row->addWidget(buttonFor(actions["tool.orbit"], Qt::ToolButtonTextOnly));
     row->addWidget(buttonFor(actions["tool.distance"], Qt::ToolButtonTextOnly));
+    row->addWidget(kindButton(actions));
     row->addWidget(buttonFor(actions["tool.lasso"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["tool.box-select"], Qt::ToolButtonIconOnly));
     row->addWidget(gap());

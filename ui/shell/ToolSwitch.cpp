@@ -3,6 +3,7 @@
 #include <QAction>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/KindTools.h"
 #include "ui/document/Document.h"
 #include "ui/document/Wording.h"
 #include "ui/view/SceneView.h"
@@ -10,7 +11,7 @@
 namespace vestige {
 
 ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection,
-                       Comparison& comparison, SceneView& view, QObject* parent)
+                       Comparison& comparison, Notices& notices, SceneView& view, QObject* parent)
     : QObject(parent),
       document_(document),
       view_(view),
@@ -20,6 +21,7 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
       mover_(document, selection, picks_, feedback_),
       orbit_(probe_, mover_, choices_),
       measure_(document, selection, {choices_, picks_, feedback_, mover_}),
+      path_(document, selection, notices, probe_),
       compare_(comparison) {
     view_.setGuard(&compare_);
     actions.onToggled("tool.orbit", [this](bool on) {
@@ -29,6 +31,13 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
         if (on) view_.setTool(&measure_);
         emit picking(on);
     });
+    for (const auto& [id, kind] : kindTools())
+        actions.onToggled(id, [this, kind = kind](bool on) {
+            if (!on) return;
+            path_.setKind(kind);
+            view_.setTool(&path_);
+        });
+    connect(&path_, &PathTool::hintChanged, this, &ToolSwitch::hintChanged);
     QAction& distance = actions["tool.distance"];
     distance.setShortcuts({distance.shortcut(), QKeySequence(Qt::Key_M)});
     connect(&measure_, &MeasureTool::hintChanged, this, &ToolSwitch::hintChanged);

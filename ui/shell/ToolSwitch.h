@@ -9,6 +9,7 @@
 #include "ui/tools/HoverProbe.h"
 #include "ui/tools/MeasureTool.h"
 #include "ui/tools/OrbitTool.h"
+#include "ui/tools/PathTool.h"
 #include "ui/tools/PickFeedback.h"
 #include "ui/tools/PickMover.h"
 #include "ui/tools/PickProbe.h"
@@ -24,9 +25,10 @@ class ToolSwitch : public QObject {
 
   public:
     ToolSwitch(ActionCatalog& actions, Document& document, Selection& selection, Comparison& comparison,
-               SceneView& view, QObject* parent = nullptr);
+               Notices& notices, SceneView& view, QObject* parent = nullptr);
     ~ToolSwitch() override;
     MeasureTool& measure() { return measure_; }
+    PathTool& path() { return path_; }
 
   signals:
     /// What the next click of the active tool does; empty for a tool that needs no words.
@@ -48,6 +50,7 @@ class ToolSwitch : public QObject {
     PickMover mover_;
     OrbitTool orbit_;
     MeasureTool measure_;
+    PathTool path_;
     CompareTool compare_;
 };
 

@@ -11,6 +11,7 @@
 #include "ui/document/Evidence.h"
 #include "ui/panels/AccuracyPanel.h"
 #include "ui/panels/AlignPanel.h"
+#include "ui/panels/BudgetPanel.h"
 #include "ui/panels/CleanPanel.h"
 #include "ui/panels/EvidencePanel.h"
 #include "ui/panels/FitPanel.h"
@@ -169,6 +170,11 @@ QWidget* WorkArea::makeRight() {
         table->editName(object);
     });
     column->addWidget(table, 1);
+    connect(&tools_.path(), &PathTool::objectCreated, table, [this, table](const std::string& object) {
+        tabs_->showStep(WayStep::measure);
+        table->editName(object);
+    });
+    column->addWidget(new BudgetPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions), 1);
     column->addWidget(new AccuracyPanel(bench_.document, bench_.selection));
     auto* tabs = new StepTabs;
     tabs_ = tabs;

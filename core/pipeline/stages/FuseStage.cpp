@@ -10,6 +10,7 @@
 #include "core/pipeline/joint/AdjustmentJson.h"
 #include "core/report/AccuracyCsv.h"
 #include "core/report/MeasurementsCsv.h"
+#include "core/report/QuantitiesCsv.h"
 #include "core/scene/Cleaning.h"
 
 namespace vestige {
@@ -85,6 +86,8 @@ Status fuseStage(ReconstructRun& run, const JobControl& control) {
     const std::pair<const char*, std::string> tables[] = {
         {"registration.json", textOf(registrationsJson(run.scene, false))},
         {"measurements.csv", measurementsCsv(run.measured)},
+        {"quantities.csv", quantitiesCsv(run.measured)},
+        {"uncertainty.csv", uncertaintyCsv(run.measured)},
         {"accuracy.csv", accuracyCsv(run.measured.accuracy)}};
     for (const auto& [name, text] : tables)
         if (const Status written = writeTextFile(run.output.path(name), text); !written) return written;
