@@ -35,10 +35,11 @@ void describe(QCommandLineParser& parser) {
         "case", "A case (case.json, NAME.vestige) or clouds and meshes to begin with.", "[CASE|FILE...]");
     parser.addOption(
         {"language", "en or zh_CN. Default: as chosen under View, at first the system's.", "LANGUAGE"});
+    parser.addOption(
         {"watch", "Says on stderr when the window does not answer, and at the end what held it longest."});
-        parser.addOption({"start-time", "Says how long the window took to stand, and ends."});
-        parser.addHelpOption();
-        parser.addVersionOption();
+    parser.addOption({"start-time", "Says how long the window took to stand, and ends."});
+    parser.addHelpOption();
+    parser.addVersionOption();
 }
 
 /// Help and version need no display.

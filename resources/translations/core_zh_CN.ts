@@ -254,28 +254,116 @@
         <translation>某点的平均距离大于这些距离的均值加上这么多倍标准差时，为离群点。</translation>
     </message>
     <message>
+        <source>A point this near to the ground's surface is ground; automatic: 3 times the scatter of the points round it, 0.02 m to 0.15 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A point with fewer others within the radius is an outlier.</source>
         <translation>半径内其他点少于此数的点为离群点。</translation>
+    </message>
+    <message>
+        <source>All layers that are shown, or the selected one alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anything of fewer points is passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anything whose longest side is longer is passed over: buildings, rows of trees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anything whose longest side is shorter is passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By distance: an outlier lies above the mean of all mean distances by more than this many of their standard deviations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By distance: how many neighbours are asked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By number: a point with fewer others within the radius is an outlier.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By number: neighbours lie within this distance; automatic: 3 times the median spacing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cubes of this edge that touch and hold points belong to one object; three times the spacing of the points or more, and less than what stands apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of the squares whose lowest points begin the search; several points should fall into one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edge of the voxels that are thinned to one point each; automatic: no thinning.</source>
         <translation>每个体素稀释为一个点，此为体素的边长；自动：不稀释。</translation>
     </message>
     <message>
+        <source>Fewest neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fewest neighbours (ror)</source>
         <translation>最少邻点数 (ror)</translation>
+    </message>
+    <message>
+        <source>Fewest points</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Filter</source>
         <translation>滤波</translation>
     </message>
     <message>
+        <source>Gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How outliers are found before filtering: by the mean distance to the nearest neighbours (sor), by the number of neighbours within the radius (ror).</source>
         <translation>滤波前如何查找离群点：按到最近邻点的平均距离 (sor)，或按半径内的邻点数 (ror)。</translation>
     </message>
     <message>
+        <source>Its mean distance to its nearest neighbours, or the number of neighbours within a radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Judge a point by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Limit (sor)</source>
         <translation>界限 (sor)</translation>
+    </message>
+    <message>
+        <source>Nearest neighbours</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nearest neighbours whose mean distance judges a point.</source>
@@ -290,6 +378,14 @@
         <translation>滤波和半径离群点的邻点位于此距离之内；自动：点间距中位数的 3 倍。</translation>
     </message>
     <message>
+        <source>Of the layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what lies at most this far behind the nearest surface under the outline is taken; automatic: however deep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Outliers</source>
         <translation>离群点</translation>
     </message>
@@ -298,12 +394,48 @@
         <translation>体素的代表点</translation>
     </message>
     <message>
+        <source>Points higher above the ground are passed over: crowns of trees, wires.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Radius of the neighbourhood</source>
         <translation>邻域半径</translation>
     </message>
     <message>
+        <source>Rise over run that the ground may have from one bend to the next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Statistic of its neighbours that replaces each point's position.</source>
         <translation>用邻点的哪种统计量代替每个点的位置。</translation>
+    </message>
+    <message>
+        <source>Steepest ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take what lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points within the outline, or all others that are seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Voxel size</source>
@@ -314,12 +446,28 @@
         <translation>用什么代表一个体素：其中各点的质心（属性取平均），或离质心最近的测量点。</translation>
     </message>
     <message>
+        <source>What stands on the ground and is narrower than this is no ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widest thing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cell of %1 m is too small for a cloud of %2 by %3 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a unit of no length</source>
         <translation>长度单位无效</translation>
     </message>
     <message>
         <source>centroid</source>
         <translation>质心</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距离</translation>
     </message>
     <message>
         <source>expected 1e-9 to 1e9, or 0 for automatic</source>
@@ -342,6 +490,14 @@
         <translation>高斯</translation>
     </message>
     <message>
+        <source>inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowest points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>mean</source>
         <translation>均值</translation>
     </message>
@@ -362,6 +518,10 @@
         <translation>无</translation>
     </message>
     <message>
+        <source>number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>outliers</source>
         <translation>离群点</translation>
     </message>
@@ -370,12 +530,32 @@
         <translation>查找离群点至少需要 1 个邻点</translation>
     </message>
     <message>
+        <source>outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>planes of the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>ror</source>
         <translation>半径法 (ror)</translation>
     </message>
     <message>
+        <source>selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>sor</source>
         <translation>统计法 (sor)</translation>
+    </message>
+    <message>
+        <source>take a larger cell, or remove far strays first</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the cloud is %1 long and has too many voxels of size %2 along one side</source>
@@ -398,8 +578,24 @@
         <translation>体素尺寸 %1 不是长度</translation>
     </message>
     <message>
+        <source>there are no points to find the ground of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>voxels</source>
         <translation>体素</translation>
+    </message>
+    <message>
+        <source>what hangs together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stands above the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stands on the ground</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -415,6 +611,18 @@
     <message>
         <source>expected 16 numbers, row by row</source>
         <translation>应为 16 个数，逐行排列</translation>
+    </message>
+    <message>
+        <source>expected metres above 0, or no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the depth of a cut is not above 0 m</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the last row of the 4x4 pose is not 0 0 0 1</source>
@@ -3575,12 +3783,480 @@
 <context>
     <name>core/measurement</name>
     <message>
+        <source>%1 points within %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'%1' in the column '%2' is not a length</source>
         <translation>“%2”列中的“%1”不是长度</translation>
     </message>
     <message>
+        <source>Above less below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle between the planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arc (yaw mark)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area of the damage in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area of the outline in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At how many places along the line the height is found, as the median of the points there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Critical speed, radius by chord</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Critical speed, radius by fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross-section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crossfall of the road towards the inside of the bend.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crush profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damage width L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deepest below the line between its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of the area's centroid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depths C1 to C6 at evenly spaced stations of the damage, from the undamaged outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diagonal of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between the planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance from the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag factor, half range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction of tyre and road, in units of gravity, for a speed; 0: no speed is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half width of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height difference of its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height difference of the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the plane measured in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest above the line between its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far inside of the mark the centre of mass went: half the track width for an outer tyre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many evenly spaced depths are given: 6 for C1 to C6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many picks at the end trace the undamaged side, which is mirrored onto the damaged one from end to end; 0: the outline is the straight line between the two undamaged ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many picks, from the first on, lie on the first plane; the others lie on the second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest crush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length, width and height of the smallest upright box round the points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level length of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark to centre of mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean crush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean grade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle of the damage from the middle of the base line D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle ordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number in the list of scans, from 1, of the one whose surface is the base; 0: the plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perimeter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places along the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane to plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point to plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of the first plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of the undamaged outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points within this distance of the line, in plan, belong to the section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polyline (skid mark)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius by chord and middle ordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius by fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the outline that has points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the section that has points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side of the square cells whose mean heights are summed; automatic: twice the points' spacing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed to leave such a skid mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread of the heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight from end to end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Superelevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angle at the second of three points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area within a closed outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The base is level at the height of the lowest corner, instead of the plane fitted to all corners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The diameter of a circle fitted to points of its rim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance between two planes and the angle between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance of the first point from the plane through the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drag factor is known to lie within plus and minus this of the value given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heights of the cloud along a line in plan, and their dimensions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The length along a line through several points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The level part of the way between two points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The radius of a mark in plan: by chord and middle ordinate, and by a circle fitted to all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The space between the cloud and a base plane within an outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight distance between two points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The upright part of the way between two points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt of its plane to the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt of the plane to the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertical part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume above the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume below the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What another method says, to compare with; 0 where there is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a circle needs three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a corner of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a leg of the angle has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plane needs three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point of the first plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point of the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point of the rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point of the second plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point that the box is to reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an end of the first leg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an end of the second leg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>column %1 is called '%2'</source>
         <translation>第 %1 列名为“%2”</translation>
+    </message>
+    <message>
+        <source>departure from a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drag factor</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected %1 at most</source>
@@ -3603,6 +4279,50 @@
         <translation>应为卷尺测得的长度，以米为单位，大于 0</translation>
     </message>
     <message>
+        <source>fitted features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height of the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no %1 was found round the pick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no point of the cloud lies within the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pick nearer to it, or choose another feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registration of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scatter of the cloud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc ends where it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the cell in the column 'object' is empty</source>
         <translation>“object”列的单元格为空</translation>
     </message>
@@ -3615,8 +4335,112 @@
         <translation>“tape_m”列中没有长度</translation>
     </message>
     <message>
+        <source>the damage has fewer than two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first undamaged end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the next corner of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the next point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the next point of the arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the next point of the damaged surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline has no area in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline holds more than 250000 cells; take larger ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline stands upright, so nothing is above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline's ends are one and the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of the arc lie on one line, or none between its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of the box lie on one line in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of the circle are one and the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of the circle lie on one line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of the damage lie over one place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of the plane lie on one line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the row has %1 cells</source>
         <translation>该行有 %1 个单元格</translation>
+    </message>
+    <message>
+        <source>the scan that is to be the base has no point here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the second plane has fewer than three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the second undamaged end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section has no length in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the start of the arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the start of the damage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the start of the section</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the table has %1 columns</source>
@@ -3637,6 +4461,26 @@
     <message>
         <source>the table is empty</source>
         <translation>该表为空</translation>
+    </message>
+    <message>
+        <source>the undamaged ends are one and the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no points round the pick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no points to fit to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undamaged outline</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3740,6 +4584,10 @@
     <message>
         <source>all attributes of its points are wanted, beside what is held of them; expected: more free memory, or a layer that is thinned or a part (&quot;keep_every&quot;, &quot;box&quot; in the case)</source>
         <translation>除已保留的以外，还需要其点的全部属性；应为：更多可用内存，或经过稀释或只取一部分的图层（案件中的 &quot;keep_every&quot;、&quot;box&quot;）</translation>
+    </message>
+    <message>
+        <source>at 1:%1 in print</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>check that the clouds show the same place, and give a nearer first pose</source>
@@ -3868,6 +4716,10 @@
     <message>
         <source>the layer has no points</source>
         <translation>该图层没有点</translation>
+    </message>
+    <message>
+        <source>the layer is not loaded</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the loop %1 fails to close by %2, more than its registrations allow</source>
@@ -4516,6 +5368,10 @@
         <translation>%1（所有坐标均在其坐标系中）</translation>
     </message>
     <message>
+        <source>%1 (hidden)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 (root mean square)</source>
         <translation>%1（均方根）</translation>
     </message>
@@ -4584,6 +5440,10 @@
         <translation>%2中有 %1 次回到原处，相差不超过 %3 和 %4°</translation>
     </message>
     <message>
+        <source>%1 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 perturbed start</source>
         <translation>%1 次扰动重启</translation>
     </message>
@@ -4618,6 +5478,18 @@
     <message>
         <source>%1, %2 a cloud</source>
         <translation>%1，每个点云 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, with %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: cross-section, last repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: crush in plan, last repeat</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1, published</source>
@@ -4664,12 +5536,20 @@
         <translation>* 表中突出显示者：因相对误差超出 2 倍标准差，已从 RMSE 中剔除。</translation>
     </message>
     <message>
+        <source>95 % interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A file changed: %1.</source>
         <translation>有一个文件发生了改变：%1。</translation>
     </message>
     <message>
-        <source>A length is the straight distance between two points that were picked in the cloud. Each was picked several times anew; the mean of the repeats is the result. Repeat SD is the standard deviation of the repeats. U 95 % is the expanded uncertainty: with a probability of 95 % the true length lies within the mean plus or minus U (how it is found stands under “Uncertainty of the lengths”). RE is the relative error against the tape.</source>
-        <translation>长度是在点云中选取的两点之间的直线距离。每个长度都重新选点测量数次，取各次测量的平均值为结果。重复标准差是各次测量的标准差。U 95 % 是扩展不确定度：真实长度以 95 % 的概率位于平均值加减 U 的范围内（求法见“长度的不确定度”）。RE 是相对于卷尺值的相对误差。</translation>
+        <source>A known distance (a scale bar, or a distance taped at the scene) is measured in the cloud like every other object. It passes when the difference is not larger than the tolerance set for it; only then is the word “verified” used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A length is the straight distance between two points that were picked in the cloud. Each was picked several times anew; the mean of the repeats is the result. Repeat SD is the standard deviation of the repeats. U 95 % is the expanded uncertainty: with a probability of 95 % the true length lies within the mean plus or minus U (how it is found stands under “Uncertainty of the figures”). RE is the relative error against the tape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Above the plane</source>
@@ -4698,6 +5578,14 @@
     <message>
         <source>All combinations</source>
         <translation>所有组合</translation>
+    </message>
+    <message>
+        <source>Along the damage (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the section (m)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>April</source>
@@ -4730,6 +5618,14 @@
     <message>
         <source>Changed since it became part of the case: %1. See “Evidence used”.</source>
         <translation>成为案件的一部分之后发生改变：%1。见“所用证据”。</translation>
+    </message>
+    <message>
+        <source>Check against known distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cleaning and parts of the scene</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cleaning and thinning</source>
@@ -4776,6 +5672,10 @@
         <translation>12 月</translation>
     </message>
     <message>
+        <source>Depth (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Difference (mm)</source>
         <translation>差值 (mm)</translation>
     </message>
@@ -4798,6 +5698,10 @@
     <message>
         <source>Distances of the scan's points to the local planes of the global cloud</source>
         <translation>扫描各点到全局点云局部平面的距离</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Each cloud is registered to the one before it, starting from no motion at all. With estimates P and known poses Q, E = (Q(i)⁻¹ Q(i+D))⁻¹ (P(i)⁻¹ P(i+D)) is the error of a relative pose, D = %1; the relative pose error (RPE) is the root mean square of the lengths of its translations, and its rotation part that of its angles. A pose counts whatever the registration says of it; where it gives none, the scanner counts as not moved.</source>
@@ -4832,6 +5736,10 @@
         <translation>2 月</translation>
     </message>
     <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>文件</translation>
     </message>
@@ -4852,6 +5760,10 @@
         <translation>格式</translation>
     </message>
     <message>
+        <source>Found: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>From %1, %2 was measured.</source>
         <translation>由 %1测得 %2。</translation>
     </message>
@@ -4862,6 +5774,10 @@
     <message>
         <source>Global cloud</source>
         <translation>全局点云</translation>
+    </message>
+    <message>
+        <source>Height (m)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Hold</source>
@@ -4892,12 +5808,28 @@
         <translation>6 月</translation>
     </message>
     <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known distances at the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Layer</source>
         <translation>图层</translation>
     </message>
     <message>
         <source>Layers that overlap were registered pair by pair, and all their poses were then adjusted together by least squares, each pair with its own covariance; the global cloud is held. Before the adjustment a closed way through the pairs fails to end where it began: that is the loop's closure.</source>
         <translation>相互重叠的图层先逐对配准，然后按最小二乘法对其全部位姿一并平差，每对采用其自身的协方差；全局点云保持不动。平差之前，沿各对走一圈并不能回到起点：这就是闭合环的闭合差。</translation>
+    </message>
+    <message>
+        <source>Length (m)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lengths by object and method</source>
@@ -4918,6 +5850,10 @@
     <message>
         <source>May</source>
         <translation>5 月</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Mean (m)</source>
@@ -5024,6 +5960,10 @@
         <translation>操作人员</translation>
     </message>
     <message>
+        <source>Other figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Overlap</source>
         <translation>重叠度</translation>
     </message>
@@ -5040,8 +5980,28 @@
         <translation>参数</translation>
     </message>
     <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts were separated in the clouds by what hangs together, or by hand. Their sizes are those of the upright box round all of their points, noise included: they help to tell the parts apart and are no measurements.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Points</source>
         <translation>点数</translation>
+    </message>
+    <message>
+        <source>Points that do not belong to the scene were taken out of it before anything was fitted or measured. The files are unchanged; the fused cloud holds these points, too, with the flag “withheld”, so that anyone can put them back and see what was taken.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Points with a counterpart</source>
@@ -5096,6 +6056,10 @@
         <translation>滤波半径</translation>
     </message>
     <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Registration</source>
         <translation>配准</translation>
     </message>
@@ -5128,6 +6092,10 @@
         <translation>次数</translation>
     </message>
     <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Role</source>
         <translation>类型</translation>
     </message>
@@ -5156,6 +6124,10 @@
         <translation>得分</translation>
     </message>
     <message>
+        <source>Sensitivity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Sensor noise assumed for each scan</source>
         <translation>各扫描采用的传感器噪声</translation>
     </message>
@@ -5176,6 +6148,10 @@
         <translation>比例</translation>
     </message>
     <message>
+        <source>Share (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Site (WGS 84)</source>
         <translation>地点 (WGS 84)</translation>
     </message>
@@ -5188,6 +6164,10 @@
         <translation>软件与用时</translation>
     </message>
     <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stage</source>
         <translation>阶段</translation>
     </message>
@@ -5198,6 +6178,10 @@
     <message>
         <source>Standard deviation of a layer's place (at its middle) before and after the adjustment</source>
         <translation>平差前后图层位置（在其中心处）的标准差</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Steps</source>
@@ -5232,6 +6216,10 @@
         <translation>文件的 SHA-256 值是其内容的指纹：具有相同值的文件逐字节相同。持有文件的任何人都可以用任何工具重新计算。</translation>
     </message>
     <message>
+        <source>The budgets below list what the uncertainty of each object’s main figure is made of. The sensitivity says by how much the figure changes when the input does; the share is that of the combined variance u². Those of all figures are in the file uncertainty.csv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The case</source>
         <translation>案件</translation>
     </message>
@@ -5246,6 +6234,10 @@
     <message>
         <source>The same files and parameters give the same results, bit for bit, on every run and for any number of processor cores; times and dates alone differ. manifest.json lists the SHA-256 values of all inputs and results.</source>
         <translation>相同的文件和参数在每次运行、任意处理器核数下都得到逐位相同的结果；只有用时和日期不同。manifest.json 列出所有输入和结果的 SHA-256 值。</translation>
+    </message>
+    <message>
+        <source>The scale of what %1 measured is verified: it agrees with the known distance at the scene within the tolerance set for it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The scan “%1” was fitted to the global cloud; %2 of its points found a counterpart, at a root mean square distance of %3 mm.</source>
@@ -5270,6 +6262,10 @@
     <message>
         <source>The sum of squares is %1 with %2 degrees of freedom (variance factor %3): the pairs disagree by more than their covariances allow, which were made larger by that factor.</source>
         <translation>平方和为 %1，自由度为 %2（方差因子 %3）：各配准对的不一致超出其协方差所允许的范围，协方差已按该因子放大。</translation>
+    </message>
+    <message>
+        <source>The survey was not verified: no known distance at the scene was measured with it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The tape itself is read to its last digit only, which gives it a standard uncertainty of that digit divided by the square root of 12. This limits what a relative error can show, most for short objects: here %1 for %2.</source>
@@ -5324,12 +6320,16 @@
         <translation>合计，至本报告为止</translation>
     </message>
     <message>
+        <source>Tolerance (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Turned (°)</source>
         <translation>转动 (°)</translation>
     </message>
     <message>
-        <source>Uncertainty of the lengths</source>
-        <translation>长度的不确定度</translation>
+        <source>Uncertainty of the figures</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Uncertainty of the place (95 %)</source>
@@ -5364,12 +6364,32 @@
         <translation>体素 (m)</translation>
     </message>
     <message>
+        <source>WARNING: the check against a known distance FAILED for %1. Figures of this report by these methods must not be relied on until the cause is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WARNING: the check against a known distance FAILED for %1. Figures of this report by this method must not be relied on until the cause is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Way</source>
         <translation>路程</translation>
     </message>
     <message>
+        <source>What %1 measured was not verified: no known distance at the scene was measured with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was taken out of the clouds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Why</source>
         <translation>理由</translation>
+    </message>
+    <message>
+        <source>Width (m)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>and</source>
@@ -5396,8 +6416,16 @@
         <translation>改进 NDT</translation>
     </message>
     <message>
+        <source>in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it %1</source>
         <translation>它%1</translation>
+    </message>
+    <message>
+        <source>known distance failed: %1 by %2 is %3 m and was measured as %4 m, %5 mm off where %6 mm are allowed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>largest (m)</source>
@@ -5432,6 +6460,10 @@
         <translation>，共</translation>
     </message>
     <message>
+        <source>of %1 points, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>one of every %1 points</source>
         <translation>每 %1 个点取一个</translation>
     </message>
@@ -5442,6 +6474,14 @@
     <message>
         <source>the relative errors are systematic (mean %1 %): a common cause, such as a wrong scale, is likelier than chance</source>
         <translation>相对误差是系统性的（平均 %1 %）：共同的原因（例如比例有误）比偶然更有可能</translation>
+    </message>
+    <message>
+        <source>u of the figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the input</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>up to %1 m and %2°</source>
@@ -5459,12 +6499,36 @@
         <translation>有 %1 项更改未保存（最后一项：%2，%3）</translation>
     </message>
     <message>
+        <source>%1 fitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no length: '%2'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeat left out: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeats left out: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeats left out: no feature was fitted at either end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 repeats left out: their ends lie on layers that are not registered to each other</source>
         <translation>有 %1 次测量略去：其端点所在的图层未相互配准</translation>
     </message>
     <message>
         <source>%1' is no frame</source>
         <translation>%1”不是坐标系</translation>
+    </message>
+    <message>
+        <source>%1' is no kind of measurement</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1: this copy was changed by another program and is not read; the case is what case.db holds</source>
@@ -5475,8 +6539,32 @@
         <translation>%1；采用已保存的案件</translation>
     </message>
     <message>
+        <source>%1belong to another file than %2, expected SHA-256 %3, found %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1belong to another part of %2, expected %3 points, found %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>'%1' has another tape value here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>'%1' is no feature that is fitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'%1' is no first pose</source>
         <translation>“%1”不是初始位姿</translation>
+    </message>
+    <message>
+        <source>'%1' is no kind of measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>'%1' is no kind of object</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'%1' is no role</source>
@@ -5493,6 +6581,10 @@
     <message>
         <source>'%1' is not a reason to stop</source>
         <translation>“%1”不是停止原因</translation>
+    </message>
+    <message>
+        <source>'%1' stands twice</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>1 change was not saved (the last: %1, %2)</source>
@@ -5523,6 +6615,10 @@
         <translation>Vestige 不认识此参数，予以忽略</translation>
     </message>
     <message>
+        <source>View %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a box [xmin, ymin, zmin, xmax, ymax, zmax]</source>
         <translation>范围框 [xmin, ymin, zmin, xmax, ymax, zmax]</translation>
     </message>
@@ -5543,12 +6639,28 @@
         <translation>范围框的某个最小坐标大于其最大坐标</translation>
     </message>
     <message>
+        <source>a length is not below 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a number above 0</source>
         <translation>大于 0 的数</translation>
     </message>
     <message>
+        <source>a section box has no such sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a spacing is not below 0</source>
         <translation>间距不得小于 0</translation>
+    </message>
+    <message>
+        <source>a variance is not below 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a view in perspective has no scale</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
@@ -5563,6 +6675,10 @@
         <translation>数组</translation>
     </message>
     <message>
+        <source>an axis is a unit vector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>an object</source>
         <translation>对象</translation>
     </message>
@@ -5575,6 +6691,10 @@
         <translation>另一窗口已打开本案件</translation>
     </message>
     <message>
+        <source>call %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>case.json beside it is the readable copy of the last saved case</source>
         <translation>旁边的 case.json 是最近保存的案件的可读副本</translation>
     </message>
@@ -5583,8 +6703,28 @@
         <translation>更改案件信息</translation>
     </message>
     <message>
+        <source>change the view '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the survey by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clean the layer anew, or take &quot;cleaning&quot; out of the case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>edits that were made before are offered when the program starts</source>
         <translation>此前所作的编辑在程序启动时提供恢复</translation>
+    </message>
+    <message>
+        <source>expected &quot; at its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected &quot;gap length gap length ...&quot;, whole numbers with one space between</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected %1 or auto</source>
@@ -5595,12 +6735,28 @@
         <translation>应为 64 位十六进制数字</translation>
     </message>
     <message>
+        <source>expected 64 lower-case hexadecimal digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected OBJECT | LAYER | REPEAT | a or b, as in the lines above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected [[x,y,z],[x,y,z]] or {&quot;a&quot;: [layer, [x,y,z]], &quot;b&quot;: [layer, [x,y,z]]}</source>
         <translation>应为 [[x,y,z],[x,y,z]] 或 {&quot;a&quot;: [layer, [x,y,z]], &quot;b&quot;: [layer, [x,y,z]]}</translation>
     </message>
     <message>
+        <source>expected a and b of each pair, p1 to the last of each path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected a direction to look in</source>
         <translation>应为观察方向</translation>
+    </message>
+    <message>
+        <source>expected a parallel camera, or no scale</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected accepted, doubtful, failed or ambiguous</source>
@@ -5631,8 +6787,16 @@
         <translation>应为 -90 到 90 度</translation>
     </message>
     <message>
+        <source>expected each end once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected each key once</source>
         <translation>每个键应只出现一次</translation>
+    </message>
+    <message>
+        <source>expected fewer points than it has</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected gradient, step, predicted-decrease, iteration-limit or no-overlap</source>
@@ -5647,20 +6811,52 @@
         <translation>应为 layer</translation>
     </message>
     <message>
+        <source>expected metres above 0 with '.', or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected metres above 0, up to 1e7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected names that differ</source>
         <translation>各名称应不相同</translation>
+    </message>
+    <message>
+        <source>expected one of %1</source>
+        <translation>应为以下之一：%1</translation>
+    </message>
+    <message>
+        <source>expected point, plane, edge, corner, highest, lowest, circle or centroid</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected radians below pi</source>
         <translation>应为小于 π 的弧度</translation>
     </message>
     <message>
+        <source>expected that of line %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected the id of a layer</source>
         <translation>应为图层的 id</translation>
     </message>
     <message>
+        <source>expected two points for each repeat, one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected up to 1e10</source>
         <translation>应不超过 1e10</translation>
+    </message>
+    <message>
+        <source>expected vehicle, debris, vegetation, ground or other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected x,y,z or index,x,y,z or label,x,y,z, decimal numbers with '.', parted by comma, semicolon, tab or blanks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected {&quot;picks&quot;: CSV}, {&quot;pose&quot;: [16], &quot;scale&quot;: 0.001}, &quot;auto&quot; or &quot;identity&quot;</source>
@@ -5671,8 +6867,28 @@
         <translation>应为：本版本或更早版本的案件</translation>
     </message>
     <message>
+        <source>forget %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forget some of the parts of the scene, or bring points back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>hide layer '%1'</source>
         <translation>隐藏图层“%1”</translation>
+    </message>
+    <message>
+        <source>hide the layer, or remove it from the case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>index of what is left</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>inputs are only ever read; expected: another name</source>
@@ -5687,24 +6903,60 @@
         <translation>图层“%1”：%2 不是当初成为案件一部分的文件：应为 %3；实为 %4</translation>
     </message>
     <message>
+        <source>length, width and height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move pick %1, repeat %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no case of Vestige has it: it was put there to harm; case.json beside it is readable</source>
         <translation>Vestige 的案件中不会有它：它是为造成损害而放置的；旁边的 case.json 可读</translation>
+    </message>
+    <message>
+        <source>no column is called object</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no folder can be made for a copy of the case</source>
         <translation>无法为案件副本创建文件夹</translation>
     </message>
     <message>
+        <source>no longer check the survey by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>none of the states that were kept here can be read</source>
         <translation>此处保留的状态均无法读取</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not measured with this method</source>
         <translation>未用此方法测量</translation>
     </message>
     <message>
+        <source>not verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nothing has been saved here yet</source>
         <translation>此处尚未保存任何内容</translation>
+    </message>
+    <message>
+        <source>nothing is left of the layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing would be left of the layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one repeat only</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>one repeat only, so no uncertainty</source>
@@ -5717,6 +6969,10 @@
     <message>
         <source>picked on %1, which this case does not have</source>
         <translation>在 %1 上点选，而本案件没有该图层</translation>
+    </message>
+    <message>
+        <source>picked on a layer which this case does not have</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>position and focal point coincide</source>
@@ -5751,12 +7007,44 @@
         <translation>重命名 %1</translation>
     </message>
     <message>
+        <source>rename %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rename the view '%1' to '%2'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat %1 of '%2' lacks an end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 is empty or touches the one before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>save it under another name</source>
         <translation>请以其他名称保存</translation>
     </message>
     <message>
+        <source>save the view '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the kind of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>set the tape of %1</source>
         <translation>设定 %1 的卷尺值</translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>show layer '%1'</source>
@@ -5765,6 +7053,14 @@
     <message>
         <source>six numbers</source>
         <translation>六个数</translation>
+    </message>
+    <message>
+        <source>take its cleaning back first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taking points out</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the JSON holds more values than any case</source>
@@ -5799,6 +7095,10 @@
         <translation>案件由更高版本的 Vestige 写成</translation>
     </message>
     <message>
+        <source>the case would hold %1 MB, more than the %2 MB that are read again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the case's database answers: %1</source>
         <translation>案件数据库报告：%1</translation>
     </message>
@@ -5809,6 +7109,10 @@
     <message>
         <source>the case's folder was moved or deleted</source>
         <translation>案件的文件夹已被移动或删除</translation>
+    </message>
+    <message>
+        <source>the covariance xx, xy, xz, yy, yz, zz</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -5831,6 +7135,22 @@
         <translation>键“%1”在同一对象中出现了两次</translation>
     </message>
     <message>
+        <source>the kind %1 has no setting '%2'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the label is '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last of %1 points has no partner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the layer is not loaded yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the lock of this case cannot be had</source>
         <translation>无法取得本案件的锁</translation>
     </message>
@@ -5839,16 +7159,64 @@
         <translation>经度超出范围</translation>
     </message>
     <message>
+        <source>the object has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path has %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the path holds a zero byte</source>
         <translation>路径中含有零字节</translation>
+    </message>
+    <message>
+        <source>the paths have more than %1 points</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the point is farther from 0 than any place on Earth</source>
         <translation>该点到 0 的距离超过地球上任何地点</translation>
     </message>
     <message>
+        <source>the points taken out of layer '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is not known four times better than the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the runs end with a space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the runs end within a pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the runs reach beyond the layer's %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tape value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tape's resolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the text is empty</source>
         <translation>文本为空</translation>
+    </message>
+    <message>
+        <source>the uncertainty of the measured length, %1 mm, is larger than the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>their points lie on layers that are not registered to each other</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there are %1 bins here</source>
@@ -5867,12 +7235,36 @@
         <translation>此处既没有点对也没有位姿</translation>
     </message>
     <message>
+        <source>there are no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no points here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no rows below the header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is %1 here</source>
         <translation>此处是%1</translation>
     </message>
     <message>
+        <source>there is no number of points at character %1 of the runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is not enough memory</source>
         <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>there is one cell</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>this case has been open in another window since %1 (%2 on %3, process %4)</source>
@@ -5911,8 +7303,20 @@
         <translation>从第 %1 字节起不是 JSON</translation>
     </message>
     <message>
+        <source>this is not below 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>this journal names another file, which would be deleted</source>
         <translation>此日志指定了另一个文件，该文件将会被删除</translation>
+    </message>
+    <message>
+        <source>this kind needs %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind needs %1 points or more</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>this would replace a file of the layer '%1'</source>
@@ -5931,12 +7335,24 @@
         <translation>有两个测量名为“%1”</translation>
     </message>
     <message>
+        <source>two objects are called '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two saved views are called '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>undo the registration of layer '%1'</source>
         <translation>撤销图层“%1”的配准</translation>
     </message>
     <message>
         <source>view_up is zero or points along the direction of view</source>
         <translation>view_up 为零或与观察方向一致</translation>
+    </message>
+    <message>
+        <source>wait until all of its points are read</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5958,16 +7374,36 @@
         <translation>闪烁(&amp;B)</translation>
     </message>
     <message>
+        <source>&amp;Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Checkerboard</source>
         <translation>棋盘格(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Clean panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clear selection</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Compare</source>
         <translation>比较(&amp;C)</translation>
     </message>
     <message>
+        <source>&amp;Copy table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Distance</source>
         <translation>距离(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Edge</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -5986,6 +7422,10 @@
         <translation>取消配准(&amp;F)</translation>
     </message>
     <message>
+        <source>&amp;Forget the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Front</source>
         <translation>前视(&amp;F)</translation>
     </message>
@@ -5994,12 +7434,52 @@
         <translation>帮助(&amp;H)</translation>
     </message>
     <message>
+        <source>&amp;Highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import picks…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Invert selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Isometric</source>
         <translation>轴测(&amp;I)</translation>
     </message>
     <message>
+        <source>&amp;Keep only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Known distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Left</source>
         <translation>左视(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Make object</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -6010,8 +7490,16 @@
         <translation>测量面板(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Move picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;New case</source>
         <translation>新建案件(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Next snap</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
@@ -6022,8 +7510,20 @@
         <translation>环绕(&amp;O)</translation>
     </message>
     <message>
+        <source>&amp;Orthographic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Perspective</source>
         <translation>透视(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Point to plane</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Preview refused pose</source>
@@ -6042,8 +7542,20 @@
         <translation>配准(&amp;R)</translation>
     </message>
     <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Responsiveness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Save case</source>
         <translation>保存案件(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Separate objects</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Smaller points</source>
@@ -6074,8 +7586,16 @@
         <translation>采用此候选位姿(&amp;U)</translation>
     </message>
     <message>
+        <source>&amp;User guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Verify evidence</source>
         <translation>核验证据(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical height</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -6084,6 +7604,50 @@
     <message>
         <source>&amp;Watch the fit</source>
         <translation>观察配准(&amp;W)</translation>
+    </message>
+    <message>
+        <source>A grid in metres, on the ground or over a plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A magnified picture of the place that a click would take.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick is the centre of the circle on whose rim it lies.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick is the centroid of the points round it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick is the corner where three planes meet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick is the highest place of what lies round it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick is the lowest place of what lies round it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick is the measured point under the cursor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick lies on the edge where two planes meet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pick lies on the plane through the points round it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;rc</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Add an object to measure.</source>
@@ -6102,8 +7666,20 @@
         <translation>对齐面板(&amp;G)</translation>
     </message>
     <message>
+        <source>An&amp;gle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ar&amp;ea</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Arrows along the ways to move that the data do not hold.</source>
         <translation>用箭头显示数据未能约束的移动方式。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Back to the &amp;plain view</source>
@@ -6118,8 +7694,96 @@
         <translation>开始一个空案件。</translation>
     </message>
     <message>
+        <source>Bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring &amp;back removed points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;ircle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;ircle centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;lean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;orner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case an&amp;d report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cen&amp;troid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the colours and from where to where they run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a point, then three or more of a plane; the distance between them is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click along a line, such as a skid mark; its length is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click along an arc, such as a yaw mark; its radius and, with a drag factor, the speed are found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click both ends of a line; the heights of the cloud along it are shown and measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click points of a rim; the diameter of the circle through them is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click round an outline; the area within is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click round an outline; the space between the cloud and the plane through it is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Click the two ends of an object; three repeats make a measurement.</source>
         <translation>单击对象的两个端点；重复三次构成一次测量。</translation>
+    </message>
+    <message>
+        <source>Click three points of one plane and three or more of another; distance and angle are measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click three points; the angle at the second is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two points; the level part of the way between them is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two points; the upright part of the way between them is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two undamaged ends, then along the damage; the depths C1 to C6 are measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click what an upright box is to reach; its length, width and height are measured.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close the program.</source>
@@ -6132,6 +7796,10 @@
     <message>
         <source>Colour by &amp;RGB</source>
         <translation>按 RGB 着色(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;class</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Colour by &amp;distance to target</source>
@@ -6154,6 +7822,14 @@
         <translation>按到目标的距离为已配准的图层着色。</translation>
     </message>
     <message>
+        <source>Colours and range…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours for ground, vegetation, buildings and the other classes that LAS files have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Compare registered layers at their first pose with where they lie now.</source>
         <translation>比较已配准图层的初始位姿与当前位置。</translation>
     </message>
@@ -6162,8 +7838,32 @@
         <translation>单独的目标与单独的其他图层相比较：贯穿两者的形体说明吻合。</translation>
     </message>
     <message>
+        <source>Copy &amp;view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the picture of the view to the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of a table, or all of the measurements, with headings and units.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cr&amp;ush profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross-&amp;section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Do again what was undone.</source>
         <translation>重做已撤销的操作。</translation>
+    </message>
+    <message>
+        <source>Drag the ends of the selected object, or nudge them with the arrow keys, without the measuring tool.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Draw points larger.</source>
@@ -6186,6 +7886,10 @@
         <translation>英文</translation>
     </message>
     <message>
+        <source>Every step of the case; a click goes there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Export &amp;measurements…</source>
         <translation>导出测量结果(&amp;M)…</translation>
     </message>
@@ -6194,8 +7898,32 @@
         <translation>导出报告(&amp;R)…</translation>
     </message>
     <message>
+        <source>Export pic&amp;ks…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill every view with all there is, or with the section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill the view with the chosen part of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fill the view with the selected layer, else with the one whose registration is described.</source>
         <translation>使所选图层充满视图，否则使所述配准的图层充满视图。</translation>
+    </message>
+    <message>
+        <source>Find &amp;ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find &amp;outliers</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Find where the selected layer belongs, whatever its first pose and unit, and register it there.</source>
@@ -6206,6 +7934,18 @@
         <translation>吻合质量(&amp;Q)</translation>
     </message>
     <message>
+        <source>Fo&amp;ur views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget the cleaning of the selected layer, or of all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From above, from the front, from the left, and the view there was; a click makes one active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Go back to the case as it was saved.</source>
         <translation>恢复到案件保存时的状态。</translation>
     </message>
@@ -6214,16 +7954,72 @@
         <translation>按回波强度显示灰度。</translation>
     </message>
     <message>
+        <source>Gri&amp;d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hash every file again and compare with what was read (SHA-256).</source>
         <translation>重新计算每个文件的哈希值，并与读取时的值比较（SHA-256）。</translation>
+    </message>
+    <message>
+        <source>Imp&amp;ort panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import ta&amp;pe values…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In perspective near points are drawn larger than far ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this view in the case under a name, for you and the report.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>L&amp;arger points</source>
         <translation>增大点(&amp;A)</translation>
     </message>
     <message>
+        <source>Left turns, middle or Shift and left move, wheel and right zoom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left turns, right moves, wheel and middle zoom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left turns, right or middle moves, the wheel zooms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level slab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Light bac&amp;kground</source>
         <translation>浅色背景(&amp;K)</translation>
+    </message>
+    <message>
+        <source>List what stands on the ground as objects: vehicles, debris, poles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lo&amp;upe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lo&amp;west</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local p&amp;lane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look &amp;at the part</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Look at the la&amp;yer</source>
@@ -6234,12 +8030,80 @@
         <translation>设为目标图层(&amp;T)</translation>
     </message>
     <message>
+        <source>Make the section box hold all there is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure how long the window takes to answer, and tell what held it longest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measurements and their errors.</source>
         <translation>测量结果及其误差。</translation>
     </message>
     <message>
+        <source>Mouse as in CloudCompare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse as in Slicer and F3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse as in Vestige</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the slab by its thickness against its axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the slab by its thickness along its axis; Ctrl and wheel do so, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the selected points as an object of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near points larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest &amp;point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>North arrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Open a case (case.json or .vestige).</source>
         <translation>打开案件（case.json 或 .vestige）。</translation>
+    </message>
+    <message>
+        <source>Open sample &amp;case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the sample scene; where it is not there yet, it is simulated first (some minutes).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel lines stay parallel, from any direction; off: perspective.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane to pla&amp;ne</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Po&amp;lyline</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Put the selected layer back to where its file has it.</source>
@@ -6282,8 +8146,24 @@
         <translation>将案件记录的单击解算为点选。</translation>
     </message>
     <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a picture of the view, of any size or true to scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Save case &amp;as…</source>
         <translation>案件另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save shortcut &amp;sheet…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Save the case under another name.</source>
@@ -6294,6 +8174,46 @@
         <translation>将案件保存到原处。</translation>
     </message>
     <message>
+        <source>Section bo&amp;x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section round everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select &amp;points of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select points by a rectangle drawn over the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select points by an outline drawn over the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the points of the chosen part of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the points that lie apart from all others, of the selected layer or of all that are shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the surface that everything stands on, of the selected layer or else the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select what is shown and not selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Shade edges so that shapes stand out.</source>
         <translation>加深边缘阴影，使形体突出。</translation>
     </message>
@@ -6302,12 +8222,40 @@
         <translation>显示配准前(&amp;B)</translation>
     </message>
     <message>
+        <source>Show a thin level slab, across the z axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a thin slab that faces the view: upright, from above level.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a thin slab upright across the x axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a thin slab upright across the y axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all shortcuts, and change them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Show each iteration of a registration in the view and as curves, and keep them to be replayed.</source>
         <translation>在视图中和以曲线显示配准的每次迭代，并保留以供回放。</translation>
     </message>
     <message>
         <source>Show fr&amp;ee directions</source>
         <translation>显示自由方向(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show only what lies in a box, whose faces the mouse can drag; its bar has the figures.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Show registered layers at their first pose.</source>
@@ -6330,12 +8278,64 @@
         <translation>用两种颜色显示目标和已配准的图层。</translation>
     </message>
     <message>
+        <source>Show the user guide beside the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where y points, which is north on a map grid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Simplified Chinese</source>
         <translation>简体中文</translation>
     </message>
     <message>
+        <source>Slab across x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slab across y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slab back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slab facing the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slab on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap picks to the next kind of feature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take everything else of these layers out of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take objects and what the tape says from a table, or from exported measurements.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take picked points from a list (x,y,z with index or label): each two are a repeat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take points out of the scene, find the ground and what stands on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Take recorded &amp;aims</source>
         <translation>采用记录的点选(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take the chosen part out of the list; its points stay.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Take the last change of the case back.</source>
@@ -6354,12 +8354,36 @@
         <translation>移除所选对象的最后一次测量。</translation>
     </message>
     <message>
+        <source>Take the selected points out of the scene; the file keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case's details, what is missing, and what a report writes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The colours that the files have.</source>
         <translation>文件自带的颜色。</translation>
     </message>
     <message>
+        <source>The files of the case and what they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The other layers are registered to this one.</source>
         <translation>其他图层配准到此图层。</translation>
+    </message>
+    <message>
+        <source>The selected object is a known distance that the survey is checked by; its tape value is the reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view turns about the point under the cursor; where there is none, about what is dragged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about the point under the cursor</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Turn, move and zoom the view.</source>
@@ -6378,12 +8402,24 @@
         <translation>两幅画面轮流显示；左、右方向键改变速度，空格键停住一幅。</translation>
     </message>
     <message>
+        <source>Use the whole screen, or go back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Version and what it is built with.</source>
         <translation>版本及所用组件。</translation>
     </message>
     <message>
         <source>View the scene from above.</source>
         <translation>从上方观察现场。</translation>
+    </message>
+    <message>
+        <source>View the scene from below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View the scene from the back.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>View the scene from the front.</source>
@@ -6394,12 +8430,20 @@
         <translation>从左侧观察现场。</translation>
     </message>
     <message>
+        <source>View the scene from the right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>View the scene in perspective.</source>
         <translation>以透视方式观察现场。</translation>
     </message>
     <message>
         <source>View the scene obliquely from above.</source>
         <translation>从斜上方观察现场。</translation>
+    </message>
+    <message>
+        <source>Volu&amp;me</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Watched iteration bac&amp;k</source>
@@ -6430,12 +8474,24 @@
         <translation>窗口、消息和报告用简体中文。</translation>
     </message>
     <message>
+        <source>Write all picked points as label,x,y,z, which reads back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the shortcuts as a page to print: PDF, HTML or text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write the table of measurements as CSV.</source>
         <translation>将测量结果表写为 CSV。</translation>
     </message>
     <message>
         <source>add %1</source>
         <translation>添加 %1</translation>
+    </message>
+    <message>
+        <source>expected a name that ends with .pdf, .html or .txt</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>first pose of %1</source>
@@ -6448,6 +8504,14 @@
     <message>
         <source>take recorded aims</source>
         <translation>采用记录的点选</translation>
+    </message>
+    <message>
+        <source>the folder of the sample case cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no name of a sheet</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6476,6 +8540,10 @@
         <translation>正在读取 %1</translation>
     </message>
     <message>
+        <source>it is saved when the disk answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its changes are recovered as a case without a place</source>
         <translation>其更改恢复为没有存放位置的案件</translation>
     </message>
@@ -6498,6 +8566,10 @@
     <message>
         <source>recover unsaved changes</source>
         <translation>恢复未保存的更改</translation>
+    </message>
+    <message>
+        <source>the disk has not yet taken the case</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the disk has not yet taken the changes that were made before</source>
@@ -6579,14 +8651,29 @@
     </message>
 </context>
 <context>
+    <name>ui/shell</name>
+    <message>
+        <source>drawing %1</source>
+        <translation>正在绘制 %1</translation>
+    </message>
+</context>
+<context>
     <name>ui/view</name>
     <message>
         <source> (target)</source>
         <translation>（目标）</translation>
     </message>
     <message>
+        <source>%1 at %2 dpi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>+ above or outside, − below or inside</source>
         <translation>+ 在上方或外侧，− 在下方或内侧</translation>
+    </message>
+    <message>
+        <source>, no classes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, no colour</source>
@@ -6597,16 +8684,52 @@
         <translation>，无强度</translation>
     </message>
     <message>
-        <source>1 to %1 a side</source>
-        <translation>每边 1 到 %1</translation>
+        <source>1 to %1 a side, %2 million in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Distance to the target's surface</source>
         <translation>到目标表面的距离</translation>
     </message>
     <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grey: each layer's own range of intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Height</source>
         <translation>高程</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PointClass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range as typed; the spread is %1 %2 (1 SD)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Range: 3 × the spread of %1 %2 (1 SD)</source>
@@ -6617,16 +8740,60 @@
         <translation>方格：%1与%2相间，左上角为%1；方格自身无内容处显示较淡</translation>
     </message>
     <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a picture of %1 x %2 pixels cannot be drawn</source>
         <translation>无法绘制 %1 x %2 像素的图片</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at the view's centre</source>
         <translation>视图中心处</translation>
     </message>
     <message>
-        <source>drawing %1</source>
-        <translation>正在绘制 %1</translation>
+        <source>bridge deck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grid %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high vegetation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ignored ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low vegetation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>medium vegetation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model key point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never classified</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no off-screen drawing context</source>
@@ -6635,6 +8802,22 @@
     <message>
         <source>no surface of the target there</source>
         <translation>该处没有目标表面</translation>
+    </message>
+    <message>
+        <source>of the user</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overhead structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>road surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>temporal exclusion</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the picture could not be drawn</source>
@@ -6647,6 +8830,22 @@
     <message>
         <source>this machine gives no OpenGL 3.2 context to draw pictures with</source>
         <translation>本机没有提供绘制图片所需的 OpenGL 3.2 环境</translation>
+    </message>
+    <message>
+        <source>transmission tower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wire connector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wire, conductor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wire, guard</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6871,10 +9070,6 @@
         <translation>变形量</translation>
     </message>
     <message>
-        <source>distance</source>
-        <translation>距离</translation>
-    </message>
-    <message>
         <source>doubtful</source>
         <translation>存疑</translation>
     </message>
@@ -6893,10 +9088,6 @@
     <message>
         <source>expected a whole number %1</source>
         <translation>应为一个整数，%1</translation>
-    </message>
-    <message>
-        <source>expected one of %1</source>
-        <translation>应为以下之一：%1</translation>
     </message>
     <message>
         <source>failed</source>

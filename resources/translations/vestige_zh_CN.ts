@@ -2,6 +2,101 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
+    <name>PointClass</name>
+    <message>
+        <source>never classified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unclassified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low vegetation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>medium vegetation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high vegetation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model key point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>road surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation type="unfinished">重叠度</translation>
+    </message>
+    <message>
+        <source>wire, guard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wire, conductor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>transmission tower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wire connector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bridge deck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>high noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overhead structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ignored ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>snow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>temporal exclusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Score at each voxel size (lower is better)</source>
@@ -333,10 +428,6 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <translation>Vestige 案件</translation>
     </message>
     <message>
-        <source>Export measurements</source>
-        <translation>导出测量结果</translation>
-    </message>
-    <message>
         <source>Folder for the report</source>
         <translation>报告文件夹</translation>
     </message>
@@ -445,6 +536,432 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>Looking into it...</source>
         <translation>正在查看……</translation>
     </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save shortcut sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about the point under the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right or middle drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom to the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vestige shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scans yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the scans of the scene; the first is the frame of all others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files were not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is still being read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files are still being read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 scan, %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans, %2 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comes after the scans are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no layer is the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not registered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans are not registered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fit of %1 is doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fits are doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One scan: there is nothing to align.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scan needs to be registered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 scan is registered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans are registered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optional: take away what disturbs, separate objects.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 layers cleaned, %2 objects separated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has recorded aims to take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects have recorded aims to take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects are not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has fewer than 3 repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects have fewer than 3 repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comes after something is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no tape value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects without a tape value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no operator is named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not written yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written, and nothing has changed since.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not written of the case as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation type="unfinished">对齐</translation>
+    </message>
+    <message>
+        <source>Clean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation type="unfinished">测量</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % interval: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeats: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u = %1, degrees of freedom %2, k = %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One repeat only: its scatter is not known, so there is no U.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: standard uncertainty %2 (%3, degrees of freedom %4), which makes %5 of the figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, taken for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once all of it is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shown; its square, or Space, hides it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden; its square, or Space, shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of a report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>method, lengths, errors, pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every length, every digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>errors by method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses and what they are worth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all registered scans as one cloud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene and each object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hashes of inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure something else: heights, angles, lines, arcs, areas, crush ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kinds of measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yesterday %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, being fitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no point here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no %1 here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point, spacing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle, ⌀ %1 m, σ %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, σ %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 repeat: %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeats: mean %2 m, SD %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the last one %1 from the mean of the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TimeLeft</name>
+    <message>
+        <source>1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige</name>
+    <message>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contents of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return finds the next place, Shift+Return the one before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::AccuracyPanel</name>
@@ -533,6 +1050,367 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>The disk does not answer: changes that were not saved may be offered once more.</source>
         <translation>磁盘没有响应：未保存的更改可能会再次提供恢复。</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::BudgetPanel</name>
+    <message>
+        <source>Selected object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an object in the table to see its figures and what their uncertainty is made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of the known distance, metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the measured length may differ from the tape; metres above 0, usually %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tolerance: expected metres above 0, such as 0.02.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. Choose its tool above the view and click; three repeats make a measurement.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::CaseForm</name>
+    <message>
+        <source>How the case is called in the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case 2025-0317, open road</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who answers for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the analyst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WGS 84, -90 to 90; only with the longitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WGS 84, -180 to 180; only with the latitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above the sea, -500 to 9000; 0 where nothing is given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latitude, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitude, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place is not taken: the latitude is -90 to 90 degrees, the longitude -180 to 180, the height -500 to 9000 metres, each with &apos;.&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::CleanPanel</name>
+    <message>
+        <source>Select by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw round what does not belong to the scene: a passer-by, a moving car.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single points in the air: echoes of rain, dust and edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface that everything else stands on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation type="unfinished">对象</translation>
+    </message>
+    <message>
+        <source>What stands on the ground and hangs together becomes an object: vehicles, debris, poles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw round points with the lasso (T), or let a step find them. What is selected is shown in magenta; then remove it, keep only it, or make it an object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of %1 layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By %1, from %2 m to %3 m from the eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 points (%4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet. The files keep every point whatever is taken out here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Cleaner</name>
+    <message>
+        <source>. They were not taken out; Bring back forgets the cleaning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking points out of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::CleaningReactions</name>
+    <message>
+        <source>remove %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points are taken out of the scene; their files keep them. Undo brings them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bring removed points back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No points are selected that are still in the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layer is loaded and shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 outliers are selected; Delete takes them out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layer is loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the ground of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points of the ground are selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separating what stands on the ground of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>separate objects of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the sizes asked for stands on the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 largest of %2 objects are listed; smaller limits give fewer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects are listed at the left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is of points that are not loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::CleaningTools</name>
+    <message>
+        <source>The points are still being read; select when all are there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a layer first, or let the outline take all that are shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layer is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selecting points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point lies there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ColorBar</name>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These colours have no range: choose height, intensity or distance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plasma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours of heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours of heights; equal steps of them look equal. Cividis looks alike to nearly every eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the colours begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the colours end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the values left out at either end: 0 to 40 %. Goes back to a range from the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation type="unfinished">强度</translation>
+    </message>
+    <message>
+        <source>Distance, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, m</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::CompareBar</name>
@@ -555,6 +1433,14 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the plain view</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -603,6 +1489,32 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
 </context>
 <context>
+    <name>vestige::EmptyCasePage</name>
+    <message>
+        <source>A new case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the scans of the scene, the aerial cloud first: it becomes the frame that all others are registered to. Files can also be dropped here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the report, now or later</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::EventWatch</name>
+    <message>
+        <source>The window was held for at most %1 ms by one of %2 events; longest drawing call %3 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms (%2 times): %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vestige::Evidence</name>
     <message>
         <source>%1 was changed by another program after it was read (layer &apos;%2&apos;). The case still shows what was read; Verify evidence tells whether the content differs.</source>
@@ -637,6 +1549,61 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
 </context>
 <context>
+    <name>vestige::ExchangeReactions</name>
+    <message>
+        <source>Import picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import tape values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has corresponding points: select the layer that they belong to, which is not the target, and import them again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 now starts from these pairs; Register (Ctrl+G) goes on from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case has all of these picks already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeats of %2 were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeats of %2 objects were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 were there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case has all of these values already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import tape values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 objects were added or changed. Measured lengths come of picks and were not taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picks are in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vestige::ExportReactions</name>
     <message>
         <source>Writing the report</source>
@@ -650,6 +1617,33 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>The measurements are in %1.</source>
         <translation>测量结果已存入 %1。</translation>
     </message>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::FiguresTree</name>
+    <message>
+        <source>Figures and uncertainty budgets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U 95 %</source>
+        <translation type="unfinished">U 95 %</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::FileReactions</name>
@@ -660,6 +1654,10 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <message>
         <source>This case cannot be saved here: %1. Choose another name.</source>
         <translation>案件无法保存在此处：%1。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>Waiting for the disk to take the case…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -741,6 +1739,10 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>Shows all iterations one after the other; Esc ends it</source>
         <translation>依次显示所有迭代；Esc 结束</translation>
     </message>
+    <message>
+        <source>Iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::HeaderBar</name>
@@ -755,6 +1757,75 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <message>
         <source>saved %1</source>
         <translation>已于 %1 保存</translation>
+    </message>
+    <message>
+        <source>The case is saved as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save case (Ctrl+S) makes what you see the case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not saved, changes kept %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A click takes the case to that step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the present step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ImportPanel</name>
+    <message>
+        <source>Add the scans of the scene: clouds and meshes, by this button or dropped into the window. The first is the frame that the others are registered to. Files are only ever read; each is hashed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation type="unfinished">扫描</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation type="unfinished">图层</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::KindReactions</name>
+    <message>
+        <source>Type the known distance into the tape column of &quot;%1&quot;; its tolerance stands below the table.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -798,6 +1869,18 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <message>
         <source>Start</source>
         <translation>起点</translation>
+    </message>
+    <message>
+        <source>How the layer is called in the window and in the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What made the scan: it says how precise it is, and what is registered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the file&apos;s coordinates are in; recognised from the file where nothing is chosen</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -873,6 +1956,21 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>%1: %2. It was not read.</source>
         <translation>%1：%2。未读取。</translation>
     </message>
+    <message>
+        <source>Looking for changes that were not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::Loupe</name>
+    <message>
+        <source>Loupe</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::MainWindow</name>
@@ -883,10 +1981,6 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
 </context>
 <context>
     <name>vestige::MeasureTool</name>
-    <message>
-        <source>There is no point within 6 pixels of this click.</source>
-        <translation>此次单击的 6 像素范围内没有点。</translation>
-    </message>
     <message>
         <source>New object</source>
         <translation>新对象</translation>
@@ -900,16 +1994,20 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <translation>第 %1 次</translation>
     </message>
     <message>
-        <source>click the second end, Esc gives up</source>
-        <translation>单击第二个端点，Esc 放弃</translation>
-    </message>
-    <message>
-        <source>click the first end</source>
-        <translation>单击第一个端点</translation>
-    </message>
-    <message>
         <source>%1, %2: %3</source>
         <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>click the second end %1, Esc gives up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click the first end %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is found is drawn before the click. N: the next kind of snap.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -962,6 +2060,18 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>&quot;%1&quot; is no tape length: expected metres above 0, such as 4.78.</source>
         <translation>“%1”不是卷尺长度：应为大于 0 的米数，例如 4.78。</translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A known distance: it may be off by %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no reference: expected a number above 0, in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::MeasurementsPanel</name>
@@ -980,6 +2090,30 @@ Choose Distance above the view and click the two ends of an object, three times.
     <message>
         <source>The method whose figures are shown</source>
         <translation>显示其数据的测量方法</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not verified: no known distance of this method has been checked. Mark an object whose length is known as &quot;Known distance&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verified: the known distance agrees within its tolerance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CHECK FAILED:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %1 is off by %2, %3 allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1016,10 +2150,303 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
 </context>
 <context>
+    <name>vestige::OutlineTool</name>
+    <message>
+        <source>Drag a box round points. Shift adds, Ctrl takes away; Alt+drag turns the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go, or click the opposite corner; Esc gives up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click round points, or draw round them. Shift adds, Ctrl takes away; Alt+drag turns the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 corners: double-click, Return or right-click closes, Backspace takes one back, Esc gives up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vestige::ParameterEditor</name>
     <message>
         <source>automatic</source>
         <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::PartsPanel</name>
+    <message>
+        <source>vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>debris</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pole or plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 points of %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m, the upright box round its points; no measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its points are of another file or part than the one that is loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None yet. Clean (Ctrl+4) separates vehicles and debris.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick to show, double-click to rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::PathTool</name>
+    <message>
+        <source>There is no point within 6 pixels of this click.</source>
+        <translation type="unfinished">此次单击的 6 像素范围内没有点。</translation>
+    </message>
+    <message>
+        <source>A path has %1 points at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This needs %1 points or more; there are %2. Esc gives up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pick %1, repeat 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat %1 of 3</source>
+        <translation type="unfinished">第 %1 次，共 3 次</translation>
+    </message>
+    <message>
+        <source>repeat %1</source>
+        <translation type="unfinished">第 %1 次</translation>
+    </message>
+    <message>
+        <source>click %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; double click or Enter ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; Backspace takes the last point back, Esc gives up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation type="unfinished">%1，%2：%3</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::PickChoices</name>
+    <message>
+        <source>point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centroid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the nearest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the local plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on an edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the highest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the lowest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at a circle&apos;s centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the centroid</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::PickMover</name>
+    <message>
+        <source>This repeat counts for %1, the point here for %2: measure it as a repeat of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving an end of repeat %1: %2, was %3 m. Esc puts it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::PickProbe</name>
+    <message>
+        <source>There is no point within 6 pixels of the cursor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features can be fitted once all points of this layer are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::PictureBar</name>
+    <message>
+        <source>Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True to scale, 1 :</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width, 16 to 32000 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, 16 to 32000 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale of the picture, 1 to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>100: a metre of the scene is a centimetre on paper. The view is drawn parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dots per inch, 36 to 2400: written into the file; letters and points grow with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One length in the picture is one length in the scene, wherever it lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where nothing is drawn the picture is transparent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a PNG file and draw the view into it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">大小</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cm on paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows %1 × %2 m on %3 × %4 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This program has nothing to draw pictures with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is in %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1131,6 +2558,37 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
 </context>
 <context>
+    <name>vestige::ReportPanel</name>
+    <message>
+        <source>Nothing was written in this session. Export report (Ctrl+R) makes a folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outputs of this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A double click, or Return, opens it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vestige::ResidualView</name>
     <message>
         <source>%1 points in %2 bars of %3 mm, %4 further off</source>
@@ -1138,10 +2596,173 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
 </context>
 <context>
+    <name>vestige::SampleReactions</name>
+    <message>
+        <source>The sample scene is simulated once; that takes some minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating the sample scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vestige::ScenePresenter</name>
     <message>
         <source>Distances to the target</source>
         <translation>到目标的距离</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">大小</translation>
+    </message>
+    <message>
+        <source>Middle of the section, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the box&apos;s middle, metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of the section, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the box along its own %1 axis, metres: 0.001 or more; a slab is thin along one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the box is turned about its upright axis, from x towards y: -180 to 180 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ShortcutsPage</name>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the chosen action these keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the chosen action&apos;s shortcut away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the chosen action the keys that it came with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search actions and keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of an action, or keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose an action to change its shortcut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new keys here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys of the chosen action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give every action the keys that it came with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed; it came with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose an action to change its shortcut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot;: choose other keys, or take them from it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::SideDock</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close help</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::SnapButton</name>
+    <message>
+        <source>What a pick is taken on (N for the next)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1180,33 +2801,238 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
 </context>
 <context>
+    <name>vestige::StepBar</name>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::StepButton</name>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comes later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::StepTabs</name>
+    <message>
+        <source>Panels of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::StepsList</name>
+    <message>
+        <source>Nothing is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ViewBar</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vestige::ViewsPanel</name>
     <message>
         <source>Views</source>
         <translation>视图</translation>
     </message>
+    <message>
+        <source>Save view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Named views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 keeps the view in the case, for you and the report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: go there. Double click or F2: rename. Right click: update, scale, report, delete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace by what is seen now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale in print</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As large as the page allows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::WatchReactions</name>
+    <message>
+        <source>From now on it is measured how long the window takes to answer. Work on, then choose this again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vestige::WelcomePage</name>
-    <message>
-        <source>Begin with the aerial cloud</source>
-        <translation>从航测点云开始</translation>
-    </message>
-    <message>
-        <source>Open a case, or add the scans of a scene: the first becomes the frame that all others are registered to. Files can also be dropped here.</source>
-        <translation>打开一个案件，或添加现场的扫描：第一个扫描成为坐标框架，其他扫描都配准到它上面。也可将文件拖放到此处。</translation>
-    </message>
     <message>
         <source>Open case</source>
         <translation>打开案件</translation>
     </message>
     <message>
-        <source>Add clouds and meshes</source>
-        <translation>添加点云和网格</translation>
-    </message>
-    <message>
         <source>Recent</source>
         <translation>最近</translation>
+    </message>
+    <message>
+        <source>Cases and scans that you open will stand here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name it and add its scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A saved case, .vestige or case.json</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at clouds and meshes at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sample case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A night collision with known lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent cases and files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A click, or Return, opens it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From scans to a report that stands up in court</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything happens on this computer; files are only ever read, and each is hashed. Scans and cases can also be dropped into the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans of any scanner; the first is the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register them, and see whether the fit is good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take away what disturbs; the files stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three repeats each, with their uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF, tables, pictures and every hash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not there now. A click takes it off the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vestige::WindowReactions</name>
+    <message>
+        <source>There is no picture yet: add scans first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view is on the clipboard, %1 × %2 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to copy: the table is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rows are on the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vestige shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shortcuts are in %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1216,12 +3042,24 @@ Choose Distance above the view and click the two ends of an object, three times.
         <translation>测量</translation>
     </message>
     <message>
-        <source>Align</source>
-        <translation>对齐</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>吻合</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation type="unfinished">配准</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -44,7 +44,7 @@ class GuideBrowser : public QTextBrowser {
         const double scale = devicePixelRatioF();
         const int width = static_cast<int>(kPictures * scale);
         if (size.isValid() && size.width() > width)
-            reader.setScaledSize(size.scaled(width, 100'000, Qt::KeepAspectRatio));
+            reader.setScaledSize(size.scaled(width, 100000, Qt::KeepAspectRatio));
         QImage picture = reader.read();
         picture.setDevicePixelRatio(scale);
         return QVariant(picture);

@@ -13,7 +13,7 @@
 namespace vestige {
 namespace {
 
-constexpr std::size_t kMostPoints = 60'000;
+constexpr std::size_t kMostPoints = 60000;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 /// What a layer's colours depend on.

@@ -40,7 +40,7 @@ constexpr std::array<PointClass, 23> kClasses{{
 constexpr std::array<Rgb, 6> kOthers{
     {{250, 128, 200}, {130, 220, 240}, {200, 230, 90}, {255, 190, 120}, {160, 150, 255}, {120, 240, 150}}};
 constexpr std::uint8_t kFirstOfUsers = 64;
-constexpr std::size_t kMostLookedAt = 4'000'000;
+constexpr std::size_t kMostLookedAt = 4000000;
 
 }  // namespace
 

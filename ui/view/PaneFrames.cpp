@@ -16,7 +16,7 @@ constexpr double kRestingFrame_s = 0.12;
 constexpr double kLeastStep = 1.0 / 12;
 constexpr int kRest_ms = 160;
 /// Points made ready and given to the graphics card between two frames: about 30 ms on two cores.
-constexpr std::size_t kBroughtAtOnce = 400'000;
+constexpr std::size_t kBroughtAtOnce = 400000;
 
 }  // namespace
 

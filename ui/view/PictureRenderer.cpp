@@ -23,7 +23,7 @@ constexpr int kMargin_px = 32;
 constexpr double kWindow_dpi = 96;
 constexpr double kMetresPerInch = 0.0254;
 /// Points drawn in one step: at most 0.2 s on two cores without a graphics card.
-constexpr double kStepPoints = 800'000;
+constexpr double kStepPoints = 800000;
 /// Legend and scale bar would cover most of a picture that is smaller than this in their pixels.
 constexpr double kLeastLettered_px = 300;
 

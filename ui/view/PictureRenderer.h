@@ -9,7 +9,7 @@ namespace vestige {
 
 /// The longest side that a picture may have, and its most pixels: what painting and memory bear.
 constexpr int kLargestSide_px = 32000;
-constexpr long kMostPixels = 268'000'000;
+constexpr long kMostPixels = 268000000;
 
 /// Draws descriptions completely and the same on every run, into PNG files of the camera's size, on a context
 /// from `contexts` (made with the first picture). What is larger than `tile_px` a side is drawn in parts:

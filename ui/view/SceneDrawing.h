@@ -22,7 +22,7 @@ class SceneDrawing {
     /// While the blocks that are seen have fewer points than this, all of them are drawn; beyond, those that
     /// the picture's pixels can show. As many as the card holds with room to spare: where points lie
     /// unevenly, as at the edge of a flight, thinning shows.
-    static constexpr std::size_t kWholeBelow = 20'000'000;
+    static constexpr std::size_t kWholeBelow = 20000000;
 
     /// The window must outlive this object.
     explicit SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld = kMostHeld,

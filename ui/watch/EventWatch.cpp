@@ -12,8 +12,8 @@
 namespace vestige {
 namespace {
 
-constexpr std::int64_t kNamed_ns = 1'000'000;  // shorter stretches get no text
-constexpr std::int64_t kKept_ns = 5'000'000;
+constexpr std::int64_t kNamed_ns = 1000000;  // shorter stretches get no text
+constexpr std::int64_t kKept_ns = 5000000;
 
 QString millisecondsText(double seconds) {
     return QString::number(1e3 * seconds, 'f', 0);
@@ -75,7 +75,7 @@ std::int64_t EventWatch::now_ns() {
 std::int64_t EventWatch::work_ns() {
     timespec used{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-    return std::int64_t{1'000'000'000} * used.tv_sec + used.tv_nsec;
+    return std::int64_t{1000000000} * used.tv_sec + used.tv_nsec;
 }
 
 void EventWatch::began(WatchedTime& stretch) {
