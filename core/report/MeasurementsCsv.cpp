@@ -32,6 +32,7 @@ std::string measurementsCsv(const MeasuredScene& measured) {
         "measured_3_m", "measured_mean_m", "repeat_sd_m", "expanded_uncertainty_m", "re",
         "excluded"};
     for (std::size_t i = kRule; i < repeats; ++i) head.push_back("measured_" + std::to_string(i + 1) + "_m");
+    head.emplace_back("small");
     std::string csv = csvLine(head);
     for (const auto& length : measured.lengths) {
         const auto& statistic = length.length;
@@ -43,6 +44,7 @@ std::string measurementsCsv(const MeasuredScene& measured) {
         row.push_back(text(length.re));
         row.push_back(length.excluded ? "true" : "false");
         for (std::size_t i = kRule; i < repeats; ++i) row.push_back(repeat(length, i));
+        row.push_back(length.small ? "true" : "false");
         csv += csvLine(row);
     }
     return csv;
