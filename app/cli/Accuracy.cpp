@@ -91,7 +91,8 @@ Run declareAccuracy(CLI::App& command) {
         ->required();
     command
         .add_option("--out", options->csv,
-                    "The statistics as CSV: method,n,sd,rmse,rmse_all,rmse_abs_m,excluded.")
+                    "The statistics as CSV: method,n,sd,rmse,rmse_all,rmse_abs_m,excluded,"
+                    "rmse_large,small.")
         ->type_name("CSV");
     command.add_option("--pdf", options->pdf, "A report with tables and bar chart.")->type_name("PDF");
     return [options](Session& session) { return run(session, *options); };

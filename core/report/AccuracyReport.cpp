@@ -87,6 +87,13 @@ std::vector<Block> accuracyBlocks(const std::vector<MethodAccuracy>& methods) {
     blocks.push_back(summaryTable(methods));
     for (const auto& method : methods)
         if (const std::string text = verdict(method); !text.empty()) blocks.push_back(Paragraph{text});
+    for (const auto& method : methods)
+        if (!method.small.empty())
+            blocks.push_back(Paragraph{
+                "By " + method.name +
+                ", smaller than three spots of the beam that measured them: " + listed(method.small) +
+                ". Of these the scan shows the beam as much as the object. The RMSE of the others is " +
+                percentOrDash(method.rmseLarge) + " %."});
     for (auto& chart : relativeErrorCharts(methods)) {
         chart.caption += ". Hollow bars are excluded objects; n/m: not measurable by that method.";
         blocks.push_back(std::move(chart));

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/Numbers.h"
 #include "core/measurement/MeasuredText.h"
 #include "core/report/CaseReport.h"
@@ -48,6 +50,17 @@ Section lengthSection(const ReportInput& input) {
                   "plus or minus U (how it is "
                   "found stands under \u201cUncertainty of the figures\u201d). RE is the relative error "
                   "against the tape."});
+    if (std::any_of(input.measured.lengths.begin(), input.measured.lengths.end(),
+                    [](const MeasuredLength& length) { return length.fitted; }))
+        section.blocks.push_back(Paragraph{
+            "Rows of a method named \u201cfitted\u201d take the same picks, but not the single points that "
+            "were "
+            "hit: round each pick a plane, an edge or another feature was fitted to all points, strays given "
+            "no weight, and the length runs between the features. What is known of the scanner is used: its "
+            "noise lies along the beam, and an edge is read from the beams that pass along it. A pick round "
+            "which nothing was fitted counts as the point it is; the notes name these. Both ways are given, "
+            "so "
+            "that either can be checked against the other."});
     section.blocks.push_back(std::move(table));
     if (excluded)
         section.blocks.push_back(Paragraph{

@@ -44,6 +44,7 @@ std::string measurementsCsv(const MeasuredScene& measured) {
         "excluded"};
     for (std::size_t i = kRule; i < repeats; ++i) head.push_back("measured_" + std::to_string(i + 1) + "_m");
     for (const char* name : {"kind", "horizontal_m", "vertical_m"}) head.emplace_back(name);
+    head.emplace_back("small");
     std::string csv = csvLine(head);
     for (const auto& length : measured.lengths) {
         const auto& statistic = length.length;
@@ -59,6 +60,7 @@ std::string measurementsCsv(const MeasuredScene& measured) {
         row.push_back(kind ? std::string(name(kind->kind)) : std::string());
         row.push_back(meanOf(kind, "horizontal"));
         row.push_back(meanOf(kind, "vertical"));
+        row.push_back(length.small ? "true" : "false");
         csv += csvLine(row);
     }
     return csv;

@@ -22,15 +22,18 @@ json accuracyJson(std::span<const MethodAccuracy> methods) {
                                {"tape_m", object.tape_m},
                                {"measured_m", number(object.measured_m)},
                                {"re", number(object.re)},
-                               {"excluded", object.excluded}});
+                               {"excluded", object.excluded},
+                               {"small", object.small}});
         list.push_back({{"name", method.name},
                         {"n", method.n},
                         {"sd", number(method.sd)},
                         {"rmse", number(method.rmse)},
                         {"rmse_all", number(method.rmseAll)},
+                        {"rmse_large", number(method.rmseLarge)},
                         {"rmse_abs_m", number(method.rmseAbsolute_m)},
                         {"systematic", method.systematic},
                         {"excluded", method.excluded},
+                        {"small", method.small},
                         {"objects", std::move(objects)}});
     }
     return list;
@@ -50,6 +53,8 @@ json measurementsJson(const MeasuredScene& measured) {
              {"expanded_uncertainty_m", statistic ? number(statistic->expandedUncertainty_m) : json(nullptr)},
              {"re", number(length.re)},
              {"excluded", length.excluded},
+             {"fitted", length.fitted},
+             {"small", length.small},
              {"layers", length.layers},
              {"note", length.note}});
     }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/Numbers.h"
 #include "core/base/Translation.h"
 #include "core/report/BudgetBlocks.h"
@@ -24,6 +26,14 @@ Section uncertaintySection(const ReportInput& input) {
                   "true value with a "
                   "probability of 95 % although only few repeats were made. With one repeat the scatter is "
                   "unknown and U is not given."});
+    if (std::any_of(input.measured.lengths.begin(), input.measured.lengths.end(),
+                    [](const MeasuredLength& length) { return length.fitted; }))
+        section.blocks.push_back(Paragraph{
+            "Of a fitted end the uncertainty is that of the fit, from the scatter of its points about the "
+            "feature and their number. Repeats are fitted to the same points, so this part does not shrink "
+            "with their number. A surface that faces along the length is seen from its own side of the site "
+            "alone, at another time than the one at the other end: 10 mm (one standard deviation) are added "
+            "for the drift of the aircraft\u2019s navigation."});
     Table table;
     table.caption = "Sensor noise assumed for each scan";
     table.columns = {"Scan", "Role", "Standard deviation (mm)"};

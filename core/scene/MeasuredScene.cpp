@@ -82,7 +82,7 @@ struct Repeats {
     // Sums over the repeats; their means go into the statistic.
     double noiseA = 0, noiseB = 0, spacingA = 0, spacingB = 0, pose = 0;
 
-    /// `fitted`: by the features round the picks; a pair that has none at either end is left out.
+    /// `fitted`: by the features round the picks; a pair that has none at either end counts by its points.
     void add(const SceneState& scene, const PickedPair& pair, bool fitted) {
         bool complete = true;
         for (const PickedPoint* end : {&pair.a, &pair.b}) {
@@ -101,18 +101,20 @@ struct Repeats {
             ++withoutCommonFrame;
             return;
         }
-        if (fitted && !pair.a.fitted && !pair.b.fitted) {
-            ++withoutFeature;
-            return;
-        }
         EndPair ends{scenePosition(scene, pair.a), scenePosition(scene, pair.b)};
-        if (fitted) {
-            const FittedLength length = fittedLength(fittedEnd(scene, pair.a), fittedEnd(scene, pair.b));
+        if (fitted && (pair.a.fitted || pair.b.fitted)) {
+            const FittedEnd from = fittedEnd(scene, pair.a);
+            const FittedEnd to = fittedEnd(scene, pair.b);
+            const FittedLength length = fittedLength(from, to);
             lengths_m.push_back(length.length_m);
             // Repeats fit to the same points: their error stays, however many there are.
             noiseA += length.variance_m2;
             ends = {length.a, length.b};
+            const Eigen::Vector3d way = (ends.b - ends.a).normalized();
+            spacingA += driftShare(layerA, from, way);
+            spacingB += driftShare(layerB, to, way);
         } else {
+            withoutFeature += fitted ? 1 : 0;
             lengths_m.push_back(ends.length_m());
             noiseA += square(sensorNoise_m(layerA.role));
             noiseB += square(sensorNoise_m(layerB.role));
@@ -134,6 +136,15 @@ struct Repeats {
         };
         return lengthStatistic(lengths_m, {rms(noiseA), rms(spacingA)}, {rms(noiseB), rms(spacingB)},
                                rms(pose));
+    }
+
+    /// A plane across the length is seen from its own side of the site alone, so at other times than the
+    /// plane at the other end, between which the navigation has drifted; an edge is seen when its counterpart
+    /// is. Twelve times the variance, as a spacing.
+    static double driftShare(const Layer& layer, const FittedEnd& end, const Eigen::Vector3d& way) {
+        constexpr double kAcross = 0.7;
+        if (end.feature.mode != SnapMode::plane || std::abs(end.feature.axis.dot(way)) < kAcross) return 0;
+        return 12 * square(sensorDrift_m(layer.role));
     }
 
     /// What was fitted at an end; the point itself, with the sensor's noise, where nothing was.
@@ -174,7 +185,7 @@ std::string noteOf(const Repeats& repeats) {
             " repeats left out: their ends lie on layers that are not registered to each other");
     if (repeats.withoutFeature > 0)
         add(std::to_string(repeats.withoutFeature) +
-            " repeats left out: no feature was fitted at either end");
+            " repeats by the points themselves: no feature was fitted at either end");
     if (repeats.lengths_m.size() == 1) add("one repeat only, so no uncertainty");
     return note;
 }
@@ -270,6 +281,10 @@ std::string fittedMethod(const std::string& method) {
 
 SensorSpot sensorSpot(LayerRole role) {
     return role == LayerRole::aerial ? SensorSpot{radians(0.28), radians(0.03)} : SensorSpot{};
+}
+
+double sensorDrift_m(LayerRole role) {
+    return role == LayerRole::aerial ? 0.01 : 0;
 }
 
 double sensorBeam_m(LayerRole role) {

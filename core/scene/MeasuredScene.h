@@ -53,6 +53,9 @@ struct SensorSpot {
     double level_rad = 0;
 };
 SensorSpot sensorSpot(LayerRole role);
+/// 1 sigma by which a place seen at another time is displaced, from the navigation of a moving sensor: the
+/// sheet's 10 mm (aerial), 0 for the others.
+double sensorDrift_m(LayerRole role);
 /// The longer side of the spot at the working range (15 m): 0.073 m for the aerial scanner.
 double sensorBeam_m(LayerRole role);
 

@@ -16,7 +16,7 @@ std::vector<FitPoint> sideOf(const Neighbourhood& near, const PlaneFit& plane, c
                              const Eigen::Vector3d& outwards, double clear, double noise) {
     std::vector<FitPoint> side;
     for (const FitPoint& each : near.points) {
-        if (std::abs(plane.distance(each.position)) > 3.5 * noise) continue;
+        if (std::abs(plane.distance(each.position)) > 2.8 * noise) continue;
         if (outwards.dot(each.position - point) < -clear) side.push_back(each);
     }
     return side;
@@ -54,7 +54,8 @@ std::optional<LineFit> creaseOf(const Neighbourhood& near, const PlaneFit& first
     std::array<PlaneFit, 2> planes{first, second};
     const double noise = std::max(near.noise_m, 0.05 * near.spacing_m);
     LineFit line;
-    for (int round = 0; round < 4; ++round) {
+    constexpr int kRounds = 12;
+    for (int round = 0; round <= kRounds; ++round) {
         const Eigen::Vector3d cross = planes[0].normal.cross(planes[1].normal);
         if (cross.norm() < kLeastSine) return std::nullopt;
         line.direction = cross.normalized();
@@ -71,7 +72,7 @@ std::optional<LineFit> creaseOf(const Neighbourhood& near, const PlaneFit& first
         line.inliers = planes[0].inliers + planes[1].inliers;
         line.rms = std::sqrt(0.5 * (planes[0].rms * planes[0].rms + planes[1].rms * planes[1].rms));
         line.slope = std::sqrt(std::max(planes[0].variance[0], planes[1].variance[0])) / cross.norm();
-        if (round == 3) break;
+        if (round == kRounds) break;
         for (PlaneFit& plane : planes) {
             const Eigen::Vector3d outwards =
                 outwardsOf(near, plane, line.point, line.direction, clear_m, noise);
@@ -95,13 +96,18 @@ std::optional<LineFit> edgeAtSeed(const Neighbourhood& near) {
     const double clear = std::max(1.2 * near.noise_m, 1.5 * near.spacing_m);
     std::optional<LineFit> best;
     std::vector<PlaneFit> bounded;  // by the best edge
-    double nearest = 0.5 * near.radius_m;
+    double least = 1;
     const auto consider = [&](const std::optional<LineFit>& line, const std::vector<PlaneFit>& of) {
         if (!line) return;
         const Eigen::Vector3d aside = line->point - near.view.dot(line->point) * near.view;
         const double distance = aside.norm() + 0.3 * std::abs(near.view.dot(line->point));
-        if (distance >= nearest) return;
-        nearest = distance;
+        if (distance >= 0.5 * near.radius_m) return;
+        // Near the line of sight, and of planes that most points lie on.
+        double share = 0;
+        for (const PlaneFit& plane : of) share += plane.support / static_cast<double>(near.points.size());
+        const double cost = distance / near.radius_m - share;
+        if (cost >= least) return;
+        least = cost;
         best = line;
         bounded = of;
     };

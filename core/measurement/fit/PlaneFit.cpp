@@ -56,6 +56,31 @@ Hypothesis bestOffset(std::span<const FitPoint> points, const Eigen::Vector3d& n
     return best;
 }
 
+/// Refits planes that were found one after the other together: each to the points that lie nearest to it. The
+/// first ones had taken points of the later ones and leaned towards them.
+void shareOut(std::span<const FitPoint> points, std::vector<PlaneFit>& planes, double noise, double least) {
+    if (planes.size() < 2) return;
+    for (int round = 0; round < 10; ++round) {
+        std::vector<std::vector<FitPoint>> own(planes.size());
+        for (const FitPoint& point : points) {
+            std::size_t nearest = 0;
+            for (std::size_t i = 1; i < planes.size(); ++i)
+                if (std::abs(planes[i].distance(point.position)) <
+                    std::abs(planes[nearest].distance(point.position)))
+                    nearest = i;
+            own[nearest].push_back(point);
+        }
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            const auto fit = refinePlane(own[i], planes[i], noise);
+            if (fit)
+                planes[i] = *fit;
+            else
+                planes[i].support = 0;
+        }
+        std::erase_if(planes, [&](const PlaneFit& plane) { return plane.support < 0.5 * least; });
+    }
+}
+
 }  // namespace
 
 double PlaneFit::varianceAt(const Eigen::Vector3d& point) const {
@@ -79,24 +104,28 @@ double robustScale(std::vector<double> residuals) {
 }
 
 std::optional<PlaneFit> refinePlane(std::span<const FitPoint> points, const PlaneFit& start, double noise_m) {
+    // Another surface is often nearer than the 4.7 scales at which the biweight usually ends.
+    constexpr double kEnd = 3.2;
     PlaneFit plane = start;
     double scale = noise_m;
-    double sumWeights = 0;
-    double squares = 0;
-    for (int round = 0; round < 30; ++round) {
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        sumWeights = 0;
+    std::vector<double> weights(points.size());
+    const auto weigh = [&] {
         plane.inliers = 0;
-        std::vector<double> weights(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
-            weights[i] = tukeyWeight(plane.distance(points[i].position), scale);
-            if (weights[i] <= 0) continue;
-            ++plane.inliers;
-            sumWeights += weights[i];
+            weights[i] = tukeyWeight(plane.distance(points[i].position), scale * kEnd / kTukey);
+            if (weights[i] > 0) ++plane.inliers;
+        }
+    };
+    for (int round = 0; round < 40; ++round) {
+        weigh();
+        if (plane.inliers < kLeastPoints) return std::nullopt;
+        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        double sum = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            sum += weights[i];
             mean += weights[i] * points[i].position;
         }
-        if (plane.inliers < kLeastPoints) return std::nullopt;
-        mean /= sumWeights;
+        mean /= sum;
         Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (weights[i] <= 0) continue;
@@ -112,21 +141,31 @@ std::optional<PlaneFit> refinePlane(std::span<const FitPoint> points, const Plan
         plane.axes << solver.eigenvectors().col(2), solver.eigenvectors().col(1), plane.normal;
         // The noise lies along the beam; across the surface it is smaller, never larger.
         std::vector<double> residuals;
-        squares = 0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (weights[i] <= 0) continue;
-            const double residual = plane.distance(points[i].position);
-            residuals.push_back(residual);
-            squares += weights[i] * residual * residual;
-        }
-        scale = std::clamp(robustScale(std::move(residuals)), 0.4 * noise_m, 1.2 * noise_m);
-        plane.variance = {1 / solver.eigenvalues()[2], 1 / solver.eigenvalues()[1], 1 / sumWeights};
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (weights[i] > 0) residuals.push_back(plane.distance(points[i].position));
+        scale = std::clamp(robustScale(std::move(residuals)), 0.4 * noise_m, noise_m);
         if (round > 3 && (plane.normal - before).norm() < 1e-7) break;
     }
-    plane.support = sumWeights;
-    plane.rms = std::sqrt(squares / sumWeights);
-    const double perPoint = std::max(squares / sumWeights, 0.1 * noise_m * noise_m);
-    plane.variance *= perPoint * sumWeights / std::max(1.0, sumWeights - 3);
+    // Variances of an M-estimate: sum of psi^2 over the squared sum of psi', along each parameter.
+    weigh();
+    double squares = 0;
+    Eigen::Vector3d scores = Eigen::Vector3d::Zero();
+    Eigen::Vector3d slopes = Eigen::Vector3d::Zero();
+    plane.support = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (weights[i] <= 0) continue;
+        const Eigen::Vector3d from = plane.axes.transpose() * (points[i].position - plane.centre);
+        const double x = from[2] / (kEnd * scale);
+        const Eigen::Vector3d row(from[0], from[1], 1);
+        scores += (weights[i] * from[2] * row).cwiseAbs2();
+        slopes += (1 - x * x) * (1 - 5 * x * x) * row.cwiseAbs2();
+        squares += weights[i] * from[2] * from[2];
+        plane.support += weights[i];
+    }
+    if (!(slopes.minCoeff() > 0)) return std::nullopt;
+    plane.rms = std::sqrt(squares / plane.support);
+    const double few = plane.support / std::max(1.0, plane.support - 3);
+    plane.variance = few * scores.cwiseQuotient(slopes.cwiseAbs2());
     return plane;
 }
 
@@ -164,6 +203,7 @@ std::vector<PlaneFit> findPlanes(const Neighbourhood& near, std::size_t most, do
         }
         planes.push_back(*best);
     }
+    shareOut(near.points, planes, noise, least);
     return planes;
 }
 

@@ -33,7 +33,8 @@ double tukeyWeight(double residual, double scale);
 double robustScale(std::vector<double> residuals);
 
 /// The least-squares plane of points with weights (none: all 1), refined from `start` with Tukey's biweight
-/// until it settles. `noise_m`: the least scale that residuals are judged by. Nothing with fewer than 6
+/// (ending at 3.2 scales) until it settles. `noise_m`: the largest scale that residuals are judged by; 0.4 of
+/// it the least. Nothing with fewer than 6
 /// inliers or where these lie on a line.
 std::optional<PlaneFit> refinePlane(std::span<const FitPoint> points, const PlaneFit& start, double noise_m);
 

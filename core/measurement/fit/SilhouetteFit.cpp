@@ -66,6 +66,8 @@ std::optional<LineFit> silhouetteOf(const Neighbourhood& near, const PlaneFit& p
             const Eigen::Vector3d from = point.position - about.point;
             const double place = out.dot(from);
             if (std::abs(place) > depth || std::abs(about.direction.dot(from)) > half) continue;
+            // A beam from outside sees the flank too, whose upper points would pass for the surface's.
+            if (point.beam.dot(out) < -0.05) continue;
             const double blur = near.blur_m(point, out);
             if (blur > most * near.noise_m) continue;
             const double share = *whole > 0 ? std::min(1.0, point.energy / *whole) : 1;

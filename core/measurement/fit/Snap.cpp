@@ -79,6 +79,21 @@ Result<FittedFeature> place(SnapMode mode, const Neighbourhood& near) {
     return feature;
 }
 
+/// A wheel has its rim about the pick; two or three faces look like one bevelled plane unless they are seen
+/// farther out than the noise.
+double wideningOf(SnapMode mode) {
+    switch (mode) {
+        case SnapMode::circle:
+            return 3;
+        case SnapMode::corner:
+            return 2;
+        case SnapMode::edge:
+            return 1.25;
+        default:
+            return 1;
+    }
+}
+
 Result<FittedFeature> fitAt(const Neighbourhood& near, SnapMode mode) {
     switch (mode) {
         case SnapMode::plane:
@@ -107,8 +122,7 @@ Result<FittedFeature> snapFeature(const SnapRequest& request, SnapMode mode) {
         return feature;
     }
     return guarded("fitting", [&]() -> Result<FittedFeature> {
-        // A circle is wider than what is needed for a plane: a wheel has its rim about the pick.
-        const auto near = neighbourhoodOf(request, mode == SnapMode::circle && request.radius_m <= 0 ? 3 : 1);
+        const auto near = neighbourhoodOf(request, request.radius_m > 0 ? 1 : wideningOf(mode));
         if (!near) return fail(near.error());
         auto feature = fitAt(*near, mode);
         if (feature) feature->position += request.seed;

@@ -23,8 +23,8 @@ void addWheel(ModelBuilder& builder, const Point& hub, double radius, const std:
     builder.part(name).material(Material::rubber);
     builder.lathe(hub, across, forward, tyre, 64);
     const Point look(0, 1, 0);
-    builder.feature(name + "_front", hub + radius * forward, look, "plane");
-    builder.feature(name + "_rear", hub - radius * forward, look, "plane");
+    builder.feature(name + "_front", hub + radius * forward, look);
+    builder.feature(name + "_rear", hub - radius * forward, look);
     builder.part(name + " rim").material(Material::metal);
     const double rim = radius - 2 * kTyre;
     builder.lathe(

@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include "core/base/Csv.h"
 #include "core/base/Numbers.h"
 #include "core/report/AccuracyCsv.h"
@@ -27,7 +29,8 @@ TEST(MeasurementsCsv, HasTheContractsColumnsAndExactNumbers) {
                                         "excluded",
                                         "kind",
                                         "horizontal_m",
-                                        "vertical_m"};
+                                        "vertical_m",
+                                        "small"};
     ASSERT_EQ(rows.size(), scene.lengths.size() + 1);
     EXPECT_EQ(rows[0].cells, head);
     EXPECT_EQ(rows[3].cells[0], "Width, \"front\"");
@@ -40,8 +43,21 @@ TEST(MeasurementsCsv, HasTheContractsColumnsAndExactNumbers) {
 
 TEST(MeasurementsCsv, LeavesCellsEmptyWhereNothingWasMeasuredOrRepeated) {
     const auto rows = parseCsv(measurementsCsv(test::measuredExample()), "csv").value();
-    const std::vector<std::string> notMeasured{
-        "Width, \"front\"", "photogrammetry", "1.84", "", "", "", "", "", "", "", "false", "", "", ""};
+    const std::vector<std::string> notMeasured{"Width, \"front\"",
+                                               "photogrammetry",
+                                               "1.84",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "false",
+                                               "",
+                                               "",
+                                               "",
+                                               "false"};
     EXPECT_EQ(rows[4].cells, notMeasured);
     EXPECT_FALSE(rows[2].cells[3].empty());
     EXPECT_EQ(rows[2].cells[4], "") << "one repeat";
@@ -53,10 +69,11 @@ TEST(MeasurementsCsv, KeepsEveryRepeat) {
     MeasuredScene scene;
     scene.lengths.push_back(test::measuredRow("Length", "lidar", 2, {2.01, 2.02, 2.03, 2.04, 2.05}));
     const auto rows = parseCsv(measurementsCsv(scene), "csv").value();
-    ASSERT_EQ(rows[0].cells.size(), 16u);
+    ASSERT_EQ(rows[0].cells.size(), 17u);
     EXPECT_EQ(rows[0].cells[10], "excluded");
     EXPECT_EQ(rows[0].cells[12], "measured_5_m");
     EXPECT_EQ(rows[1].cells[5], "2.03");
+    EXPECT_EQ(rows[0].cells[13], "small");
     EXPECT_EQ(rows[1].cells[12], "2.05");
 }
 
@@ -64,14 +81,24 @@ TEST(AccuracyCsv, NamesTheExcludedObjects) {
     const MeasuredScene scene = test::measuredExample();
     const auto rows = parseCsv(accuracyCsv(scene.accuracy), "csv").value();
     ASSERT_EQ(rows.size(), 3u);
-    EXPECT_EQ(rows[0].cells,
-              (std::vector<std::string>{"method", "n", "sd", "rmse", "rmse_all", "rmse_abs_m", "excluded"}));
+    EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"method", "n", "sd", "rmse", "rmse_all", "rmse_abs_m",
+                                                       "excluded", "rmse_large", "small"}));
     EXPECT_EQ(rows[1].cells[0], "lidar");
     EXPECT_EQ(rows[1].cells[1], "7");
     EXPECT_EQ(parseReal(rows[1].cells[3]), scene.accuracy[0].rmse);
     EXPECT_EQ(rows[1].cells[6], "Box");
     EXPECT_EQ(rows[2].cells[1], "6");
     EXPECT_EQ(rows[2].cells[6], "");
+}
+
+TEST(AccuracyCsv, ListsSmallObjectsApart) {
+    const std::vector<AccuracyObject> objects{{"Mirror", 0.2, 0.22, {}, false, true},
+                                              {"Box", 1, 1.01, {}, false, false},
+                                              {"Car", 4, 4.04, {}, false, false}};
+    const auto rows = parseCsv(accuracyCsv(std::vector{methodAccuracy("lidar", objects)}), "csv").value();
+    EXPECT_NEAR(parseReal(rows[1].cells[4]).value(), std::sqrt((0.01 + 2 * 0.0001) / 3), 1e-12);
+    EXPECT_NEAR(parseReal(rows[1].cells[7]).value(), 0.01, 1e-12);
+    EXPECT_EQ(rows[1].cells[8], "Mirror");
 }
 
 TEST(ResultsJson, HoldsFractionsAndNulls) {
