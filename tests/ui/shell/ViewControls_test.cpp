@@ -223,7 +223,7 @@ TEST_F(Views, SavedViewsAreKeptFoundRenamedAndUndone) {
     ASSERT_NE(editor, nullptr) << "its name can be typed at once";
     editor->setText("Through the box");
     QTest::keyClick(editor, Qt::Key_Return);
-    QApplication::processEvents();
+    QTest::qWait(50);  // the editor hands its text over, then the list takes it
     ASSERT_EQ(driver->scene().savedViews.size(), 1U);
     EXPECT_EQ(driver->scene().savedViews[0].name, "Through the box");
     ASSERT_TRUE(driver->trigger("view.top"));
