@@ -73,7 +73,7 @@ TEST(MeasurementsCsv, KeepsEveryRepeat) {
     EXPECT_EQ(rows[0].cells[10], "excluded");
     EXPECT_EQ(rows[0].cells[12], "measured_5_m");
     EXPECT_EQ(rows[1].cells[5], "2.03");
-    EXPECT_EQ(rows[0].cells[13], "small");
+    EXPECT_EQ(rows[0].cells[16], "small");
     EXPECT_EQ(rows[1].cells[12], "2.05");
 }
 
