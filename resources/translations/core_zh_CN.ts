@@ -255,7 +255,7 @@
     </message>
     <message>
         <source>A point this near to the ground's surface is ground; automatic: 3 times the scatter of the points round it, 0.02 m to 0.15 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>离地面这么近的点即为地面；自动：其周围点离散度的 3 倍，限于 0.02 m 到 0.15 m。</translation>
     </message>
     <message>
         <source>A point with fewer others within the radius is an outlier.</source>
@@ -263,51 +263,51 @@
     </message>
     <message>
         <source>All layers that are shown, or the selected one alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有显示的图层，或仅所选图层。</translation>
     </message>
     <message>
         <source>Anything of fewer points is passed over.</source>
-        <translation type="unfinished"></translation>
+        <translation>点数少于此数者略过。</translation>
     </message>
     <message>
         <source>Anything whose longest side is longer is passed over: buildings, rows of trees.</source>
-        <translation type="unfinished"></translation>
+        <translation>最长边大于此值者略过：建筑物、成排的树木。</translation>
     </message>
     <message>
         <source>Anything whose longest side is shorter is passed over.</source>
-        <translation type="unfinished"></translation>
+        <translation>最长边小于此值者略过。</translation>
     </message>
     <message>
         <source>By distance: an outlier lies above the mean of all mean distances by more than this many of their standard deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>按距离：平均距离比所有平均距离的均值大出这么多倍标准差以上的点为离群点。</translation>
     </message>
     <message>
         <source>By distance: how many neighbours are asked.</source>
-        <translation type="unfinished"></translation>
+        <translation>按距离：考察多少个邻点。</translation>
     </message>
     <message>
         <source>By number: a point with fewer others within the radius is an outlier.</source>
-        <translation type="unfinished"></translation>
+        <translation>按数量：半径内其他点少于此数的点为离群点。</translation>
     </message>
     <message>
         <source>By number: neighbours lie within this distance; automatic: 3 times the median spacing.</source>
-        <translation type="unfinished"></translation>
+        <translation>按数量：邻点位于此距离之内；自动：点间距中位数的 3 倍。</translation>
     </message>
     <message>
         <source>Cell</source>
-        <translation type="unfinished"></translation>
+        <translation>单元</translation>
     </message>
     <message>
         <source>Cubes of this edge that touch and hold points belong to one object; three times the spacing of the points or more, and less than what stands apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>以此为边长、含有点且彼此相接的立方体属于同一物体；应不小于点间距的三倍，且小于相互分开的物体之间的距离。</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>深度</translation>
     </message>
     <message>
         <source>Edge of the squares whose lowest points begin the search; several points should fall into one.</source>
-        <translation type="unfinished"></translation>
+        <translation>方格的边长，搜索从各方格的最低点开始；每个方格应落入若干点。</translation>
     </message>
     <message>
         <source>Edge of the voxels that are thinned to one point each; automatic: no thinning.</source>
@@ -315,7 +315,7 @@
     </message>
     <message>
         <source>Fewest neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>最少邻点数</translation>
     </message>
     <message>
         <source>Fewest neighbours (ror)</source>
@@ -323,7 +323,7 @@
     </message>
     <message>
         <source>Fewest points</source>
-        <translation type="unfinished"></translation>
+        <translation>最少点数</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -331,11 +331,11 @@
     </message>
     <message>
         <source>Gap</source>
-        <translation type="unfinished"></translation>
+        <translation>间隙</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最大高度</translation>
     </message>
     <message>
         <source>How outliers are found before filtering: by the mean distance to the nearest neighbours (sor), by the number of neighbours within the radius (ror).</source>
@@ -343,19 +343,19 @@
     </message>
     <message>
         <source>Its mean distance to its nearest neighbours, or the number of neighbours within a radius.</source>
-        <translation type="unfinished"></translation>
+        <translation>到最近邻点的平均距离，或半径内邻点的数量。</translation>
     </message>
     <message>
         <source>Judge a point by</source>
-        <translation type="unfinished"></translation>
+        <translation>判断点的依据</translation>
     </message>
     <message>
         <source>Largest</source>
-        <translation type="unfinished"></translation>
+        <translation>最大尺寸</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation type="unfinished"></translation>
+        <translation>界限</translation>
     </message>
     <message>
         <source>Limit (sor)</source>
@@ -363,7 +363,7 @@
     </message>
     <message>
         <source>Nearest neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>最近邻点数</translation>
     </message>
     <message>
         <source>Nearest neighbours whose mean distance judges a point.</source>
@@ -379,11 +379,11 @@
     </message>
     <message>
         <source>Of the layers</source>
-        <translation type="unfinished"></translation>
+        <translation>图层范围</translation>
     </message>
     <message>
         <source>Only what lies at most this far behind the nearest surface under the outline is taken; automatic: however deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>只取轮廓之下最近表面后方不超过此距离的点；自动：深度不限。</translation>
     </message>
     <message>
         <source>Outliers</source>
@@ -395,11 +395,11 @@
     </message>
     <message>
         <source>Points higher above the ground are passed over: crowns of trees, wires.</source>
-        <translation type="unfinished"></translation>
+        <translation>离地面高于此值的点略过：树冠、电线。</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>半径</translation>
     </message>
     <message>
         <source>Radius of the neighbourhood</source>
@@ -407,15 +407,15 @@
     </message>
     <message>
         <source>Rise over run that the ground may have from one bend to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>地面从一处转折到下一处允许的坡度（高差与水平距离之比）。</translation>
     </message>
     <message>
         <source>SD</source>
-        <translation type="unfinished"></translation>
+        <translation>倍标准差</translation>
     </message>
     <message>
         <source>Smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>最小尺寸</translation>
     </message>
     <message>
         <source>Statistic of its neighbours that replaces each point's position.</source>
@@ -423,19 +423,19 @@
     </message>
     <message>
         <source>Steepest ground</source>
-        <translation type="unfinished"></translation>
+        <translation>最大地面坡度</translation>
     </message>
     <message>
         <source>Take what lies</source>
-        <translation type="unfinished"></translation>
+        <translation>所取部分</translation>
     </message>
     <message>
         <source>The points within the outline, or all others that are seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内的点，或所见的其余各点。</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>允差</translation>
     </message>
     <message>
         <source>Voxel size</source>
@@ -447,15 +447,15 @@
     </message>
     <message>
         <source>What stands on the ground and is narrower than this is no ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>立在地面上且比此值窄的物体不算地面。</translation>
     </message>
     <message>
         <source>Widest thing</source>
-        <translation type="unfinished"></translation>
+        <translation>最宽物体</translation>
     </message>
     <message>
         <source>a cell of %1 m is too small for a cloud of %2 by %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m 的单元对于 %2 m × %3 m 的点云过小</translation>
     </message>
     <message>
         <source>a unit of no length</source>
@@ -491,11 +491,11 @@
     </message>
     <message>
         <source>inside</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内</translation>
     </message>
     <message>
         <source>lowest points</source>
-        <translation type="unfinished"></translation>
+        <translation>最低点</translation>
     </message>
     <message>
         <source>mean</source>
@@ -519,7 +519,7 @@
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>数量</translation>
     </message>
     <message>
         <source>outliers</source>
@@ -531,11 +531,11 @@
     </message>
     <message>
         <source>outside</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之外</translation>
     </message>
     <message>
         <source>planes of the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面的平面</translation>
     </message>
     <message>
         <source>ror</source>
@@ -543,11 +543,11 @@
     </message>
     <message>
         <source>selected</source>
-        <translation type="unfinished"></translation>
+        <translation>所选图层</translation>
     </message>
     <message>
         <source>shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示的图层</translation>
     </message>
     <message>
         <source>sor</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>take a larger cell, or remove far strays first</source>
-        <translation type="unfinished"></translation>
+        <translation>请取较大的单元，或先移除远处的杂散点</translation>
     </message>
     <message>
         <source>the cloud is %1 long and has too many voxels of size %2 along one side</source>
@@ -579,7 +579,7 @@
     </message>
     <message>
         <source>there are no points to find the ground of</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供查找地面的点</translation>
     </message>
     <message>
         <source>voxels</source>
@@ -587,15 +587,15 @@
     </message>
     <message>
         <source>what hangs together</source>
-        <translation type="unfinished"></translation>
+        <translation>相连的点</translation>
     </message>
     <message>
         <source>what stands above the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面以上的物体</translation>
     </message>
     <message>
         <source>what stands on the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面上的物体</translation>
     </message>
 </context>
 <context>
@@ -614,15 +614,15 @@
     </message>
     <message>
         <source>expected metres above 0, or no limit</source>
-        <translation type="unfinished"></translation>
+        <translation>应为大于 0 的米数，或不限</translation>
     </message>
     <message>
         <source>points within</source>
-        <translation type="unfinished"></translation>
+        <translation>范围内的点</translation>
     </message>
     <message>
         <source>the depth of a cut is not above 0 m</source>
-        <translation type="unfinished"></translation>
+        <translation>切取深度不大于 0 m</translation>
     </message>
     <message>
         <source>the last row of the 4x4 pose is not 0 0 0 1</source>
@@ -3784,7 +3784,7 @@
     <name>core/measurement</name>
     <message>
         <source>%1 points within %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 mm 内有 %1 个点</translation>
     </message>
     <message>
         <source>'%1' in the column '%2' is not a length</source>
@@ -3792,459 +3792,459 @@
     </message>
     <message>
         <source>Above less below</source>
-        <translation type="unfinished"></translation>
+        <translation>上方减下方</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>Angle between the planes</source>
-        <translation type="unfinished"></translation>
+        <translation>两平面的夹角</translation>
     </message>
     <message>
         <source>Angle in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平投影角度</translation>
     </message>
     <message>
         <source>Arc (yaw mark)</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧（侧滑印痕）</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>面积</translation>
     </message>
     <message>
         <source>Area in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平投影面积</translation>
     </message>
     <message>
         <source>Area of the damage in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的水平投影面积</translation>
     </message>
     <message>
         <source>Area of the outline in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的水平投影面积</translation>
     </message>
     <message>
         <source>At how many places along the line the height is found, as the median of the points there.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿线在多少处求取高度，取该处各点的中位数。</translation>
     </message>
     <message>
         <source>Base scan</source>
-        <translation type="unfinished"></translation>
+        <translation>基准扫描</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体</translation>
     </message>
     <message>
         <source>C%1</source>
-        <translation type="unfinished"></translation>
+        <translation>C%1</translation>
     </message>
     <message>
         <source>Chord</source>
-        <translation type="unfinished"></translation>
+        <translation>弦长</translation>
     </message>
     <message>
         <source>Circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>Critical speed, radius by chord</source>
-        <translation type="unfinished"></translation>
+        <translation>临界速度（半径由弦长求得）</translation>
     </message>
     <message>
         <source>Critical speed, radius by fit</source>
-        <translation type="unfinished"></translation>
+        <translation>临界速度（半径由拟合求得）</translation>
     </message>
     <message>
         <source>Cross-section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面</translation>
     </message>
     <message>
         <source>Crossfall of the road towards the inside of the bend.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面向弯道内侧的横坡。</translation>
     </message>
     <message>
         <source>Crush profile</source>
-        <translation type="unfinished"></translation>
+        <translation>变形断面</translation>
     </message>
     <message>
         <source>Damage width L</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏宽度 L</translation>
     </message>
     <message>
         <source>Deepest below the line between its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端连线之下最深处</translation>
     </message>
     <message>
         <source>Depth of the area's centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>面积形心的深度</translation>
     </message>
     <message>
         <source>Depths C1 to C6 at evenly spaced stations of the damage, from the undamaged outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>从未损坏轮廓量起，损坏部分各等距测点的深度 C1 至 C6。</translation>
     </message>
     <message>
         <source>Diagonal of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的对角线</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>Distance between the planes</source>
-        <translation type="unfinished"></translation>
+        <translation>两平面的距离</translation>
     </message>
     <message>
         <source>Distance from the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>到平面的距离</translation>
     </message>
     <message>
         <source>Drag factor</source>
-        <translation type="unfinished"></translation>
+        <translation>附着系数</translation>
     </message>
     <message>
         <source>Drag factor, half range</source>
-        <translation type="unfinished"></translation>
+        <translation>附着系数的半宽</translation>
     </message>
     <message>
         <source>Friction of tyre and road, in units of gravity, for a speed; 0: no speed is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮胎与路面的附着系数（摩擦力与重力之比），用于求速度；0：不求速度。</translation>
     </message>
     <message>
         <source>Half width of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的半宽</translation>
     </message>
     <message>
         <source>Height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>高差</translation>
     </message>
     <message>
         <source>Height difference of its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>其两端的高差</translation>
     </message>
     <message>
         <source>Height difference of the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端的高差</translation>
     </message>
     <message>
         <source>Height of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的高度</translation>
     </message>
     <message>
         <source>Height of the centre</source>
-        <translation type="unfinished"></translation>
+        <translation>圆心的高程</translation>
     </message>
     <message>
         <source>Height of the plane measured in</source>
-        <translation type="unfinished"></translation>
+        <translation>测量所在平面的高程</translation>
     </message>
     <message>
         <source>Highest above the line between its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端连线之上最高处</translation>
     </message>
     <message>
         <source>Horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>水平距离</translation>
     </message>
     <message>
         <source>Horizontal length</source>
-        <translation type="unfinished"></translation>
+        <translation>水平长度</translation>
     </message>
     <message>
         <source>Horizontal part</source>
-        <translation type="unfinished"></translation>
+        <translation>水平分量</translation>
     </message>
     <message>
         <source>How far inside of the mark the centre of mass went: half the track width for an outer tyre.</source>
-        <translation type="unfinished"></translation>
+        <translation>质心轨迹位于印痕内侧多远：对外侧轮胎为轮距的一半。</translation>
     </message>
     <message>
         <source>How many evenly spaced depths are given: 6 for C1 to C6.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出多少个等距的深度：6 个即 C1 至 C6。</translation>
     </message>
     <message>
         <source>How many picks at the end trace the undamaged side, which is mirrored onto the damaged one from end to end; 0: the outline is the straight line between the two undamaged ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾有多少个点选描出未损坏的一侧，并按两端对应镜像到损坏的一侧；0：轮廓为两个未损坏端点之间的直线。</translation>
     </message>
     <message>
         <source>How many picks, from the first on, lie on the first plane; the others lie on the second.</source>
-        <translation type="unfinished"></translation>
+        <translation>从第一个点选起，有多少个位于第一个平面上；其余位于第二个平面上。</translation>
     </message>
     <message>
         <source>Largest crush</source>
-        <translation type="unfinished"></translation>
+        <translation>最大变形量</translation>
     </message>
     <message>
         <source>Length along the line</source>
-        <translation type="unfinished"></translation>
+        <translation>沿线长度</translation>
     </message>
     <message>
         <source>Length along the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>沿表面长度</translation>
     </message>
     <message>
         <source>Length of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的长度</translation>
     </message>
     <message>
         <source>Length of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的长度</translation>
     </message>
     <message>
         <source>Length, width and height of the smallest upright box round the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>包围各点的最小直立长方体的长、宽、高。</translation>
     </message>
     <message>
         <source>Level base</source>
-        <translation type="unfinished"></translation>
+        <translation>水平基准面</translation>
     </message>
     <message>
         <source>Level length of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的水平长度</translation>
     </message>
     <message>
         <source>Mark to centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>印痕到质心的距离</translation>
     </message>
     <message>
         <source>Mean crush</source>
-        <translation type="unfinished"></translation>
+        <translation>平均变形量</translation>
     </message>
     <message>
         <source>Mean grade</source>
-        <translation type="unfinished"></translation>
+        <translation>平均坡度</translation>
     </message>
     <message>
         <source>Middle of the damage from the middle of the base line D</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分中点到基准线中点的距离 D</translation>
     </message>
     <message>
         <source>Middle ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>弦中矢高</translation>
     </message>
     <message>
         <source>Number in the list of scans, from 1, of the one whose surface is the base; 0: the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>在扫描列表中从 1 起的编号，以该扫描的表面为基准面；0：以平面为基准面。</translation>
     </message>
     <message>
         <source>Perimeter</source>
-        <translation type="unfinished"></translation>
+        <translation>周长</translation>
     </message>
     <message>
         <source>Places along the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面上的测点数</translation>
     </message>
     <message>
         <source>Plane to plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面到平面</translation>
     </message>
     <message>
         <source>Point to plane</source>
-        <translation type="unfinished"></translation>
+        <translation>点到平面</translation>
     </message>
     <message>
         <source>Points of the first plane</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个平面的点数</translation>
     </message>
     <message>
         <source>Points of the undamaged outline</source>
-        <translation type="unfinished"></translation>
+        <translation>未损坏轮廓的点数</translation>
     </message>
     <message>
         <source>Points within this distance of the line, in plan, belong to the section.</source>
-        <translation type="unfinished"></translation>
+        <translation>水平投影上离该线不超过此距离的点属于断面。</translation>
     </message>
     <message>
         <source>Polyline (skid mark)</source>
-        <translation type="unfinished"></translation>
+        <translation>折线（制动印痕）</translation>
     </message>
     <message>
         <source>Radius by chord and middle ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>由弦长和弦中矢高求得的半径</translation>
     </message>
     <message>
         <source>Radius by fit</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合半径</translation>
     </message>
     <message>
         <source>Reference value</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值</translation>
     </message>
     <message>
         <source>Share of the outline that has points</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓内有点部分的比例</translation>
     </message>
     <message>
         <source>Share of the section that has points</source>
-        <translation type="unfinished"></translation>
+        <translation>断面上有点部分的比例</translation>
     </message>
     <message>
         <source>Side of the square cells whose mean heights are summed; automatic: twice the points' spacing.</source>
-        <translation type="unfinished"></translation>
+        <translation>正方形单元的边长，对各单元的平均高度求和；自动：点间距的两倍。</translation>
     </message>
     <message>
         <source>Speed to leave such a skid mark</source>
-        <translation type="unfinished"></translation>
+        <translation>留下此制动印痕所需的速度</translation>
     </message>
     <message>
         <source>Spread of the heights</source>
-        <translation type="unfinished"></translation>
+        <translation>高程的离散度</translation>
     </message>
     <message>
         <source>Stations</source>
-        <translation type="unfinished"></translation>
+        <translation>测点数</translation>
     </message>
     <message>
         <source>Straight from end to end</source>
-        <translation type="unfinished"></translation>
+        <translation>两端直线距离</translation>
     </message>
     <message>
         <source>Superelevation</source>
-        <translation type="unfinished"></translation>
+        <translation>超高</translation>
     </message>
     <message>
         <source>The angle at the second of three points.</source>
-        <translation type="unfinished"></translation>
+        <translation>三个点中第二个点处的角度。</translation>
     </message>
     <message>
         <source>The area within a closed outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合轮廓之内的面积。</translation>
     </message>
     <message>
         <source>The base is level at the height of the lowest corner, instead of the plane fitted to all corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面取最低角点高程处的水平面，而不取由所有角点拟合的平面。</translation>
     </message>
     <message>
         <source>The diameter of a circle fitted to points of its rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>由圆周上各点拟合的圆的直径。</translation>
     </message>
     <message>
         <source>The distance between two planes and the angle between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个平面之间的距离及其夹角。</translation>
     </message>
     <message>
         <source>The distance of the first point from the plane through the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个点到通过其余各点的平面的距离。</translation>
     </message>
     <message>
         <source>The drag factor is known to lie within plus and minus this of the value given.</source>
-        <translation type="unfinished"></translation>
+        <translation>已知附着系数位于给定值加减此值的范围之内。</translation>
     </message>
     <message>
         <source>The heights of the cloud along a line in plan, and their dimensions.</source>
-        <translation type="unfinished"></translation>
+        <translation>点云沿一条水平投影线的高程及其尺寸。</translation>
     </message>
     <message>
         <source>The length along a line through several points.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿通过若干点的折线的长度。</translation>
     </message>
     <message>
         <source>The level part of the way between two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间路径的水平分量。</translation>
     </message>
     <message>
         <source>The radius of a mark in plan: by chord and middle ordinate, and by a circle fitted to all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>印痕在水平投影上的半径：由弦长和弦中矢高求得，以及由所有点拟合的圆求得。</translation>
     </message>
     <message>
         <source>The space between the cloud and a base plane within an outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内点云与基准面之间的空间。</translation>
     </message>
     <message>
         <source>The straight distance between two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间的直线距离。</translation>
     </message>
     <message>
         <source>The upright part of the way between two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间路径的竖直分量。</translation>
     </message>
     <message>
         <source>Tilt of its plane to the level</source>
-        <translation type="unfinished"></translation>
+        <translation>其平面与水平面的倾角</translation>
     </message>
     <message>
         <source>Tilt of the plane to the level</source>
-        <translation type="unfinished"></translation>
+        <translation>平面与水平面的倾角</translation>
     </message>
     <message>
         <source>Vertical part</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直分量</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>体积</translation>
     </message>
     <message>
         <source>Volume above the base</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面以上的体积</translation>
     </message>
     <message>
         <source>Volume below the base</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面以下的体积</translation>
     </message>
     <message>
         <source>Volume of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的体积</translation>
     </message>
     <message>
         <source>What another method says, to compare with; 0 where there is none.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于对比的其他方法的测值；没有时为 0。</translation>
     </message>
     <message>
         <source>Width of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的宽度</translation>
     </message>
     <message>
         <source>a circle needs three points</source>
-        <translation type="unfinished"></translation>
+        <translation>圆需要三个点</translation>
     </message>
     <message>
         <source>a corner of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的角点</translation>
     </message>
     <message>
         <source>a leg of the angle has no length</source>
-        <translation type="unfinished"></translation>
+        <translation>角的一条边没有长度</translation>
     </message>
     <message>
         <source>a plane needs three points</source>
-        <translation type="unfinished"></translation>
+        <translation>平面需要三个点</translation>
     </message>
     <message>
         <source>a point of the first plane</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个平面上的点</translation>
     </message>
     <message>
         <source>a point of the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面上的点</translation>
     </message>
     <message>
         <source>a point of the rim</source>
-        <translation type="unfinished"></translation>
+        <translation>圆周上的点</translation>
     </message>
     <message>
         <source>a point of the second plane</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个平面上的点</translation>
     </message>
     <message>
         <source>a point that the box is to reach</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体应到达的点</translation>
     </message>
     <message>
         <source>an end</source>
-        <translation type="unfinished"></translation>
+        <translation>端点</translation>
     </message>
     <message>
         <source>an end of the first leg</source>
-        <translation type="unfinished"></translation>
+        <translation>第一条边的端点</translation>
     </message>
     <message>
         <source>an end of the second leg</source>
-        <translation type="unfinished"></translation>
+        <translation>第二条边的端点</translation>
     </message>
     <message>
         <source>column %1 is called '%2'</source>
@@ -4252,11 +4252,11 @@
     </message>
     <message>
         <source>departure from a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>与圆的偏离</translation>
     </message>
     <message>
         <source>drag factor</source>
-        <translation type="unfinished"></translation>
+        <translation>附着系数</translation>
     </message>
     <message>
         <source>expected %1 at most</source>
@@ -4280,47 +4280,47 @@
     </message>
     <message>
         <source>fitted features</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合的特征</translation>
     </message>
     <message>
         <source>height of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面的高程</translation>
     </message>
     <message>
         <source>no %1 was found round the pick</source>
-        <translation type="unfinished"></translation>
+        <translation>点选处附近未找到%1</translation>
     </message>
     <message>
         <source>no point of the cloud lies within the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内没有点云的点</translation>
     </message>
     <message>
         <source>pick nearer to it, or choose another feature</source>
-        <translation type="unfinished"></translation>
+        <translation>请在更靠近它处点选，或选择其他特征</translation>
     </message>
     <message>
         <source>point spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>点间距</translation>
     </message>
     <message>
         <source>registration of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的配准</translation>
     </message>
     <message>
         <source>repeat %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 次测量：%2</translation>
     </message>
     <message>
         <source>scatter of the cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>点云的离散</translation>
     </message>
     <message>
         <source>sensor noise</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器噪声</translation>
     </message>
     <message>
         <source>the arc ends where it begins</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的终点与起点重合</translation>
     </message>
     <message>
         <source>the cell in the column 'object' is empty</source>
@@ -4336,75 +4336,75 @@
     </message>
     <message>
         <source>the damage has fewer than two points</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的点少于两个</translation>
     </message>
     <message>
         <source>the end of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的终点</translation>
     </message>
     <message>
         <source>the first undamaged end</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个未损坏的端点</translation>
     </message>
     <message>
         <source>the next corner of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的下一个角点</translation>
     </message>
     <message>
         <source>the next point</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个点</translation>
     </message>
     <message>
         <source>the next point of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的下一个点</translation>
     </message>
     <message>
         <source>the next point of the damaged surface</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏表面的下一个点</translation>
     </message>
     <message>
         <source>the outline has no area in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓没有水平投影面积</translation>
     </message>
     <message>
         <source>the outline holds more than 250000 cells; take larger ones</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓内的单元超过 250000 个；请取较大的单元</translation>
     </message>
     <message>
         <source>the outline stands upright, so nothing is above it</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓是竖直的，因此其上方没有空间</translation>
     </message>
     <message>
         <source>the outline's ends are one and the same</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的两端是同一点</translation>
     </message>
     <message>
         <source>the point</source>
-        <translation type="unfinished"></translation>
+        <translation>该点</translation>
     </message>
     <message>
         <source>the points of the arc lie on one line, or none between its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的各点位于一条直线上，或两端之间没有点</translation>
     </message>
     <message>
         <source>the points of the box lie on one line in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的各点在水平投影上位于一条直线上</translation>
     </message>
     <message>
         <source>the points of the circle are one and the same</source>
-        <translation type="unfinished"></translation>
+        <translation>圆的各点是同一点</translation>
     </message>
     <message>
         <source>the points of the circle lie on one line</source>
-        <translation type="unfinished"></translation>
+        <translation>圆的各点位于一条直线上</translation>
     </message>
     <message>
         <source>the points of the damage lie over one place</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的各点位于同一处之上</translation>
     </message>
     <message>
         <source>the points of the plane lie on one line</source>
-        <translation type="unfinished"></translation>
+        <translation>平面的各点位于一条直线上</translation>
     </message>
     <message>
         <source>the row has %1 cells</source>
@@ -4412,35 +4412,35 @@
     </message>
     <message>
         <source>the scan that is to be the base has no point here</source>
-        <translation type="unfinished"></translation>
+        <translation>作为基准面的扫描在此处没有点</translation>
     </message>
     <message>
         <source>the second plane has fewer than three points</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个平面的点少于三个</translation>
     </message>
     <message>
         <source>the second undamaged end</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个未损坏的端点</translation>
     </message>
     <message>
         <source>the section has no length in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>断面没有水平投影长度</translation>
     </message>
     <message>
         <source>the start</source>
-        <translation type="unfinished"></translation>
+        <translation>起点</translation>
     </message>
     <message>
         <source>the start of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的起点</translation>
     </message>
     <message>
         <source>the start of the damage</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的起点</translation>
     </message>
     <message>
         <source>the start of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的起点</translation>
     </message>
     <message>
         <source>the table has %1 columns</source>
@@ -4464,23 +4464,23 @@
     </message>
     <message>
         <source>the undamaged ends are one and the same</source>
-        <translation type="unfinished"></translation>
+        <translation>两个未损坏的端点是同一点</translation>
     </message>
     <message>
         <source>the vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>顶点</translation>
     </message>
     <message>
         <source>there are no points round the pick</source>
-        <translation type="unfinished"></translation>
+        <translation>点选处附近没有点</translation>
     </message>
     <message>
         <source>there are no points to fit to</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供拟合的点</translation>
     </message>
     <message>
         <source>undamaged outline</source>
-        <translation type="unfinished"></translation>
+        <translation>未损坏轮廓</translation>
     </message>
 </context>
 <context>
@@ -4587,7 +4587,7 @@
     </message>
     <message>
         <source>at 1:%1 in print</source>
-        <translation type="unfinished"></translation>
+        <translation>打印比例 1:%1</translation>
     </message>
     <message>
         <source>check that the clouds show the same place, and give a nearer first pose</source>
@@ -4719,7 +4719,7 @@
     </message>
     <message>
         <source>the layer is not loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>图层未载入</translation>
     </message>
     <message>
         <source>the loop %1 fails to close by %2, more than its registrations allow</source>
