@@ -5369,7 +5369,7 @@
     </message>
     <message>
         <source>%1 (hidden)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（已隐藏）</translation>
     </message>
     <message>
         <source>%1 (root mean square)</source>
@@ -5441,7 +5441,7 @@
     </message>
     <message>
         <source>%1 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 或更大</translation>
     </message>
     <message>
         <source>%1 perturbed start</source>
@@ -5481,15 +5481,15 @@
     </message>
     <message>
         <source>%1, %2, with %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2，参数：%3。</translation>
     </message>
     <message>
         <source>%1, %2: cross-section, last repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2：断面，最后一次测量</translation>
     </message>
     <message>
         <source>%1, %2: crush in plan, last repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2：变形量水平投影，最后一次测量</translation>
     </message>
     <message>
         <source>%1, published</source>
@@ -5537,7 +5537,7 @@
     </message>
     <message>
         <source>95 % interval</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 区间</translation>
     </message>
     <message>
         <source>A file changed: %1.</source>
@@ -5545,11 +5545,11 @@
     </message>
     <message>
         <source>A known distance (a scale bar, or a distance taped at the scene) is measured in the cloud like every other object. It passes when the difference is not larger than the tolerance set for it; only then is the word “verified” used.</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离（标尺，或在现场用卷尺量得的距离）与其他对象一样在点云中测量。差值不大于为其设定的允差时即为通过；只有这样才使用“已核验”一词。</translation>
     </message>
     <message>
         <source>A length is the straight distance between two points that were picked in the cloud. Each was picked several times anew; the mean of the repeats is the result. Repeat SD is the standard deviation of the repeats. U 95 % is the expanded uncertainty: with a probability of 95 % the true length lies within the mean plus or minus U (how it is found stands under “Uncertainty of the figures”). RE is the relative error against the tape.</source>
-        <translation type="unfinished"></translation>
+        <translation>长度是在点云中点选的两个点之间的直线距离。每个长度均重新点选若干次；结果取各次的平均值。重复标准差是各次测量的标准差。U 95 % 是扩展不确定度：真实长度以 95 % 的概率位于平均值加减 U 的范围之内（求法见“各数值的不确定度”）。RE 是相对于卷尺的相对误差。</translation>
     </message>
     <message>
         <source>Above the plane</source>
@@ -5581,11 +5581,11 @@
     </message>
     <message>
         <source>Along the damage (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>沿损坏部分 (m)</translation>
     </message>
     <message>
         <source>Along the section (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>沿断面 (m)</translation>
     </message>
     <message>
         <source>April</source>
@@ -5621,11 +5621,11 @@
     </message>
     <message>
         <source>Check against known distances</source>
-        <translation type="unfinished"></translation>
+        <translation>用已知距离核验</translation>
     </message>
     <message>
         <source>Cleaning and parts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>清理与现场物体</translation>
     </message>
     <message>
         <source>Cleaning and thinning</source>
@@ -5673,7 +5673,7 @@
     </message>
     <message>
         <source>Depth (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>深度 (m)</translation>
     </message>
     <message>
         <source>Difference (mm)</source>
@@ -5701,7 +5701,7 @@
     </message>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Each cloud is registered to the one before it, starting from no motion at all. With estimates P and known poses Q, E = (Q(i)⁻¹ Q(i+D))⁻¹ (P(i)⁻¹ P(i+D)) is the error of a relative pose, D = %1; the relative pose error (RPE) is the root mean square of the lengths of its translations, and its rotation part that of its angles. A pose counts whatever the registration says of it; where it gives none, the scanner counts as not moved.</source>
@@ -5737,7 +5737,7 @@
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>File</source>
@@ -5761,7 +5761,7 @@
     </message>
     <message>
         <source>Found: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>查找方式：%1。</translation>
     </message>
     <message>
         <source>From %1, %2 was measured.</source>
@@ -5777,7 +5777,7 @@
     </message>
     <message>
         <source>Height (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>高度 (m)</translation>
     </message>
     <message>
         <source>Hold</source>
@@ -5809,15 +5809,15 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>种类</translation>
     </message>
     <message>
         <source>Known (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>已知值 (m)</translation>
     </message>
     <message>
         <source>Known distances at the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场的已知距离</translation>
     </message>
     <message>
         <source>Layer</source>
@@ -5829,7 +5829,7 @@
     </message>
     <message>
         <source>Length (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>长度 (m)</translation>
     </message>
     <message>
         <source>Lengths by object and method</source>
@@ -5853,7 +5853,7 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值</translation>
     </message>
     <message>
         <source>Mean (m)</source>
@@ -5961,7 +5961,7 @@
     </message>
     <message>
         <source>Other figures</source>
-        <translation type="unfinished"></translation>
+        <translation>其他数值</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -5981,19 +5981,19 @@
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>物体</translation>
     </message>
     <message>
         <source>Parts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场物体</translation>
     </message>
     <message>
         <source>Parts were separated in the clouds by what hangs together, or by hand. Their sizes are those of the upright box round all of their points, noise included: they help to tell the parts apart and are no measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>点云中的物体是按点是否相连或由人工分离的。其尺寸是包围其全部点（包括噪声）的直立长方体的尺寸：仅有助于区分各物体，不是测量结果。</translation>
     </message>
     <message>
         <source>Points</source>
@@ -6001,7 +6001,7 @@
     </message>
     <message>
         <source>Points that do not belong to the scene were taken out of it before anything was fitted or measured. The files are unchanged; the fused cloud holds these points, too, with the flag “withheld”, so that anyone can put them back and see what was taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>不属于现场的点在拟合和测量之前已从现场中移除。文件未作改动；融合点云也包含这些点，并带有“保留点”(withheld) 标志，因此任何人都可以将其放回，并查看移除了什么。</translation>
     </message>
     <message>
         <source>Points with a counterpart</source>
@@ -6057,7 +6057,7 @@
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值</translation>
     </message>
     <message>
         <source>Registration</source>
@@ -6093,7 +6093,7 @@
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Role</source>
@@ -6125,7 +6125,7 @@
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>灵敏度</translation>
     </message>
     <message>
         <source>Sensor noise assumed for each scan</source>
@@ -6149,7 +6149,7 @@
     </message>
     <message>
         <source>Share (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>比例 (%)</translation>
     </message>
     <message>
         <source>Site (WGS 84)</source>
@@ -6165,7 +6165,7 @@
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Stage</source>
@@ -6181,7 +6181,7 @@
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -6217,7 +6217,7 @@
     </message>
     <message>
         <source>The budgets below list what the uncertainty of each object’s main figure is made of. The sensitivity says by how much the figure changes when the input does; the share is that of the combined variance u². Those of all figures are in the file uncertainty.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>以下各不确定度分量表列出每个对象主要数值的不确定度由哪些分量构成。灵敏度表示输入变化时该数值变化多少；比例是在合成方差 u² 中所占的比例。全部数值的分量表见文件 uncertainty.csv。</translation>
     </message>
     <message>
         <source>The case</source>
@@ -6237,7 +6237,7 @@
     </message>
     <message>
         <source>The scale of what %1 measured is verified: it agrees with the known distance at the scene within the tolerance set for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>由%1测得的结果，其比例已核验：与现场的已知距离相符，差值在为其设定的允差之内。</translation>
     </message>
     <message>
         <source>The scan “%1” was fitted to the global cloud; %2 of its points found a counterpart, at a root mean square distance of %3 mm.</source>
@@ -6265,7 +6265,7 @@
     </message>
     <message>
         <source>The survey was not verified: no known distance at the scene was measured with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>本次勘测未经核验：没有测量过现场的已知距离。</translation>
     </message>
     <message>
         <source>The tape itself is read to its last digit only, which gives it a standard uncertainty of that digit divided by the square root of 12. This limits what a relative error can show, most for short objects: here %1 for %2.</source>
@@ -6321,7 +6321,7 @@
     </message>
     <message>
         <source>Tolerance (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>允差 (mm)</translation>
     </message>
     <message>
         <source>Turned (°)</source>
@@ -6329,7 +6329,7 @@
     </message>
     <message>
         <source>Uncertainty of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>各数值的不确定度</translation>
     </message>
     <message>
         <source>Uncertainty of the place (95 %)</source>
@@ -6365,11 +6365,11 @@
     </message>
     <message>
         <source>WARNING: the check against a known distance FAILED for %1. Figures of this report by these methods must not be relied on until the cause is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>警告：%1未通过已知距离核验！在查明原因之前，不得采信本报告中由这些方法得出的数值。</translation>
     </message>
     <message>
         <source>WARNING: the check against a known distance FAILED for %1. Figures of this report by this method must not be relied on until the cause is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>警告：%1未通过已知距离核验！在查明原因之前，不得采信本报告中由此方法得出的数值。</translation>
     </message>
     <message>
         <source>Way</source>
@@ -6377,11 +6377,11 @@
     </message>
     <message>
         <source>What %1 measured was not verified: no known distance at the scene was measured with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>由%1测得的结果未经核验：没有用它测量过现场的已知距离。</translation>
     </message>
     <message>
         <source>What was taken out of the clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>从点云中移除的内容</translation>
     </message>
     <message>
         <source>Why</source>
@@ -6389,7 +6389,7 @@
     </message>
     <message>
         <source>Width (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>宽度 (m)</translation>
     </message>
     <message>
         <source>and</source>
@@ -6417,7 +6417,7 @@
     </message>
     <message>
         <source>in all</source>
-        <translation type="unfinished"></translation>
+        <translation>合计</translation>
     </message>
     <message>
         <source>it %1</source>
@@ -6425,7 +6425,7 @@
     </message>
     <message>
         <source>known distance failed: %1 by %2 is %3 m and was measured as %4 m, %5 mm off where %6 mm are allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离核验未通过：%1（%2）为 %3 m，测得 %4 m，相差 %5 mm，允许 %6 mm</translation>
     </message>
     <message>
         <source>largest (m)</source>
@@ -6461,7 +6461,7 @@
     </message>
     <message>
         <source>of %1 points, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>共 %1 个点，占 %2</translation>
     </message>
     <message>
         <source>one of every %1 points</source>
@@ -6477,11 +6477,11 @@
     </message>
     <message>
         <source>u of the figure</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的 u</translation>
     </message>
     <message>
         <source>u of the input</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的 u</translation>
     </message>
     <message>
         <source>up to %1 m and %2°</source>
@@ -6500,23 +6500,23 @@
     </message>
     <message>
         <source>%1 fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（拟合）</translation>
     </message>
     <message>
         <source>%1 is no length: '%2'</source>
-        <translation type="unfinished"></translation>
+        <translation>%1不是长度：“%2”</translation>
     </message>
     <message>
         <source>%1 repeat left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次测量略去：%2</translation>
     </message>
     <message>
         <source>%1 repeats left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次测量略去：%2</translation>
     </message>
     <message>
         <source>%1 repeats left out: no feature was fitted at either end</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次测量略去：两端均未拟合出特征</translation>
     </message>
     <message>
         <source>%1 repeats left out: their ends lie on layers that are not registered to each other</source>
@@ -6528,7 +6528,7 @@
     </message>
     <message>
         <source>%1' is no kind of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>%1”不是测量种类</translation>
     </message>
     <message>
         <source>%1: this copy was changed by another program and is not read; the case is what case.db holds</source>
@@ -6540,19 +6540,19 @@
     </message>
     <message>
         <source>%1belong to another file than %2, expected SHA-256 %3, found %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1属于 %2 以外的另一个文件，应为 SHA-256 %3，实为 %4</translation>
     </message>
     <message>
         <source>%1belong to another part of %2, expected %3 points, found %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1属于 %2 的另一部分，应为 %3 个点，实为 %4</translation>
     </message>
     <message>
         <source>'%1' has another tape value here</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”在此处有另一个卷尺值</translation>
     </message>
     <message>
         <source>'%1' is no feature that is fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是可拟合的特征</translation>
     </message>
     <message>
         <source>'%1' is no first pose</source>
@@ -6560,11 +6560,11 @@
     </message>
     <message>
         <source>'%1' is no kind of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是测量种类</translation>
     </message>
     <message>
         <source>'%1' is no kind of object</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是物体种类</translation>
     </message>
     <message>
         <source>'%1' is no role</source>
@@ -6584,7 +6584,7 @@
     </message>
     <message>
         <source>'%1' stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”出现了两次</translation>
     </message>
     <message>
         <source>1 change was not saved (the last: %1, %2)</source>
@@ -6616,7 +6616,7 @@
     </message>
     <message>
         <source>View %1</source>
-        <translation type="unfinished"></translation>
+        <translation>视图 %1</translation>
     </message>
     <message>
         <source>a box [xmin, ymin, zmin, xmax, ymax, zmax]</source>
@@ -6640,7 +6640,7 @@
     </message>
     <message>
         <source>a length is not below 0</source>
-        <translation type="unfinished"></translation>
+        <translation>长度不得小于 0</translation>
     </message>
     <message>
         <source>a number above 0</source>
@@ -6648,7 +6648,7 @@
     </message>
     <message>
         <source>a section box has no such sides</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切框不能有这样的边长</translation>
     </message>
     <message>
         <source>a spacing is not below 0</source>
@@ -6656,11 +6656,11 @@
     </message>
     <message>
         <source>a variance is not below 0</source>
-        <translation type="unfinished"></translation>
+        <translation>方差不得小于 0</translation>
     </message>
     <message>
         <source>a view in perspective has no scale</source>
-        <translation type="unfinished"></translation>
+        <translation>透视视图没有比例尺</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
@@ -6676,7 +6676,7 @@
     </message>
     <message>
         <source>an axis is a unit vector</source>
-        <translation type="unfinished"></translation>
+        <translation>轴应为单位向量</translation>
     </message>
     <message>
         <source>an object</source>
@@ -6692,7 +6692,7 @@
     </message>
     <message>
         <source>call %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 的种类设为%2</translation>
     </message>
     <message>
         <source>case.json beside it is the readable copy of the last saved case</source>
@@ -6704,15 +6704,15 @@
     </message>
     <message>
         <source>change the view '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>更改视图“%1”</translation>
     </message>
     <message>
         <source>check the survey by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>用 %1 核验勘测</translation>
     </message>
     <message>
         <source>clean the layer anew, or take &quot;cleaning&quot; out of the case</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新清理该图层，或从案件中去掉 &quot;cleaning&quot;</translation>
     </message>
     <message>
         <source>edits that were made before are offered when the program starts</source>
@@ -6720,11 +6720,11 @@
     </message>
     <message>
         <source>expected &quot; at its end</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾应有 &quot;</translation>
     </message>
     <message>
         <source>expected &quot;gap length gap length ...&quot;, whole numbers with one space between</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 &quot;间隔 长度 间隔 长度 ...&quot;，均为整数，以一个空格分隔</translation>
     </message>
     <message>
         <source>expected %1 or auto</source>
@@ -6736,11 +6736,11 @@
     </message>
     <message>
         <source>expected 64 lower-case hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 64 位小写十六进制数字</translation>
     </message>
     <message>
         <source>expected OBJECT | LAYER | REPEAT | a or b, as in the lines above</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 OBJECT | LAYER | REPEAT | a 或 b，与上面各行相同</translation>
     </message>
     <message>
         <source>expected [[x,y,z],[x,y,z]] or {&quot;a&quot;: [layer, [x,y,z]], &quot;b&quot;: [layer, [x,y,z]]}</source>
@@ -6748,7 +6748,7 @@
     </message>
     <message>
         <source>expected a and b of each pair, p1 to the last of each path</source>
-        <translation type="unfinished"></translation>
+        <translation>应为每对的 a 和 b，每条路径的 p1 至最后一点</translation>
     </message>
     <message>
         <source>expected a direction to look in</source>
@@ -6756,7 +6756,7 @@
     </message>
     <message>
         <source>expected a parallel camera, or no scale</source>
-        <translation type="unfinished"></translation>
+        <translation>应为平行投影相机，或不给比例尺</translation>
     </message>
     <message>
         <source>expected accepted, doubtful, failed or ambiguous</source>
@@ -6788,7 +6788,7 @@
     </message>
     <message>
         <source>expected each end once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个端点应只出现一次</translation>
     </message>
     <message>
         <source>expected each key once</source>
@@ -6796,7 +6796,7 @@
     </message>
     <message>
         <source>expected fewer points than it has</source>
-        <translation type="unfinished"></translation>
+        <translation>点数应少于其原有点数</translation>
     </message>
     <message>
         <source>expected gradient, step, predicted-decrease, iteration-limit or no-overlap</source>
@@ -6812,11 +6812,11 @@
     </message>
     <message>
         <source>expected metres above 0 with '.', or nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>应为大于 0 的米数，小数点用“.”，或留空</translation>
     </message>
     <message>
         <source>expected metres above 0, up to 1e7</source>
-        <translation type="unfinished"></translation>
+        <translation>应为大于 0 的米数，不超过 1e7</translation>
     </message>
     <message>
         <source>expected names that differ</source>
@@ -6828,7 +6828,7 @@
     </message>
     <message>
         <source>expected point, plane, edge, corner, highest, lowest, circle or centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 point、plane、edge、corner、highest、lowest、circle 或 centroid</translation>
     </message>
     <message>
         <source>expected radians below pi</source>
@@ -6836,7 +6836,7 @@
     </message>
     <message>
         <source>expected that of line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>应为第 %1 行的值</translation>
     </message>
     <message>
         <source>expected the id of a layer</source>
@@ -6844,7 +6844,7 @@
     </message>
     <message>
         <source>expected two points for each repeat, one after the other</source>
-        <translation type="unfinished"></translation>
+        <translation>每次测量应为两个点，依次排列</translation>
     </message>
     <message>
         <source>expected up to 1e10</source>
@@ -6852,11 +6852,11 @@
     </message>
     <message>
         <source>expected vehicle, debris, vegetation, ground or other</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 vehicle、debris、vegetation、ground 或 other</translation>
     </message>
     <message>
         <source>expected x,y,z or index,x,y,z or label,x,y,z, decimal numbers with '.', parted by comma, semicolon, tab or blanks</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 x,y,z 或 index,x,y,z 或 label,x,y,z，小数点用“.”，以逗号、分号、制表符或空格分隔</translation>
     </message>
     <message>
         <source>expected {&quot;picks&quot;: CSV}, {&quot;pose&quot;: [16], &quot;scale&quot;: 0.001}, &quot;auto&quot; or &quot;identity&quot;</source>
@@ -6868,15 +6868,15 @@
     </message>
     <message>
         <source>forget %1</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表中去掉 %1</translation>
     </message>
     <message>
         <source>forget some of the parts of the scene, or bring points back</source>
-        <translation type="unfinished"></translation>
+        <translation>请从列表中去掉一些现场物体，或恢复一些点</translation>
     </message>
     <message>
         <source>hide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏 %1</translation>
     </message>
     <message>
         <source>hide layer '%1'</source>
@@ -6884,11 +6884,11 @@
     </message>
     <message>
         <source>hide the layer, or remove it from the case</source>
-        <translation type="unfinished"></translation>
+        <translation>请隐藏该图层，或将其从案件中移除</translation>
     </message>
     <message>
         <source>index of what is left</source>
-        <translation type="unfinished"></translation>
+        <translation>其余点的索引</translation>
     </message>
     <message>
         <source>inputs are only ever read; expected: another name</source>
@@ -6904,11 +6904,11 @@
     </message>
     <message>
         <source>length, width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>长、宽、高</translation>
     </message>
     <message>
         <source>move pick %1, repeat %2</source>
-        <translation type="unfinished"></translation>
+        <translation>移动点选 %1，第 %2 次</translation>
     </message>
     <message>
         <source>no case of Vestige has it: it was put there to harm; case.json beside it is readable</source>
@@ -6916,7 +6916,7 @@
     </message>
     <message>
         <source>no column is called object</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名为 object 的列</translation>
     </message>
     <message>
         <source>no folder can be made for a copy of the case</source>
@@ -6924,7 +6924,7 @@
     </message>
     <message>
         <source>no longer check the survey by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不再用 %1 核验勘测</translation>
     </message>
     <message>
         <source>none of the states that were kept here can be read</source>
@@ -6932,7 +6932,7 @@
     </message>
     <message>
         <source>not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>未测量</translation>
     </message>
     <message>
         <source>not measured with this method</source>
@@ -6940,7 +6940,7 @@
     </message>
     <message>
         <source>not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>未核验</translation>
     </message>
     <message>
         <source>nothing has been saved here yet</source>
@@ -6948,15 +6948,15 @@
     </message>
     <message>
         <source>nothing is left of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>该图层没有剩余的点</translation>
     </message>
     <message>
         <source>nothing would be left of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>该图层将没有剩余的点</translation>
     </message>
     <message>
         <source>one repeat only</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一次测量</translation>
     </message>
     <message>
         <source>one repeat only, so no uncertainty</source>
@@ -6972,7 +6972,7 @@
     </message>
     <message>
         <source>picked on a layer which this case does not have</source>
-        <translation type="unfinished"></translation>
+        <translation>在本案件没有的图层上点选</translation>
     </message>
     <message>
         <source>position and focal point coincide</source>
@@ -7008,19 +7008,19 @@
     </message>
     <message>
         <source>rename %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 重命名为 %2</translation>
     </message>
     <message>
         <source>rename the view '%1' to '%2'</source>
-        <translation type="unfinished"></translation>
+        <translation>将视图“%1”重命名为“%2”</translation>
     </message>
     <message>
         <source>repeat %1 of '%2' lacks an end</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”的第 %1 次测量缺少一个端点</translation>
     </message>
     <message>
         <source>run %1 is empty or touches the one before it</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 段为空或与前一段相接</translation>
     </message>
     <message>
         <source>save it under another name</source>
@@ -7028,15 +7028,15 @@
     </message>
     <message>
         <source>save the view '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图“%1”</translation>
     </message>
     <message>
         <source>set %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>设定 %2 的 %1</translation>
     </message>
     <message>
         <source>set the kind of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>设定 %1 的种类</translation>
     </message>
     <message>
         <source>set the tape of %1</source>
@@ -7044,7 +7044,7 @@
     </message>
     <message>
         <source>show %1</source>
-        <translation type="unfinished"></translation>
+        <translation>显示 %1</translation>
     </message>
     <message>
         <source>show layer '%1'</source>
@@ -7056,11 +7056,11 @@
     </message>
     <message>
         <source>take its cleaning back first</source>
-        <translation type="unfinished"></translation>
+        <translation>请先撤回其清理</translation>
     </message>
     <message>
         <source>taking points out</source>
-        <translation type="unfinished"></translation>
+        <translation>正在移除点</translation>
     </message>
     <message>
         <source>the JSON holds more values than any case</source>
@@ -7096,7 +7096,7 @@
     </message>
     <message>
         <source>the case would hold %1 MB, more than the %2 MB that are read again</source>
-        <translation type="unfinished"></translation>
+        <translation>案件将有 %1 MB，超过可重新读取的 %2 MB</translation>
     </message>
     <message>
         <source>the case's database answers: %1</source>
@@ -7112,7 +7112,7 @@
     </message>
     <message>
         <source>the covariance xx, xy, xz, yy, yz, zz</source>
-        <translation type="unfinished"></translation>
+        <translation>协方差 xx、xy、xz、yy、yz、zz</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -7136,19 +7136,19 @@
     </message>
     <message>
         <source>the kind %1 has no setting '%2'</source>
-        <translation type="unfinished"></translation>
+        <translation>种类 %1 没有设置“%2”</translation>
     </message>
     <message>
         <source>the label is '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>标签为“%1”</translation>
     </message>
     <message>
         <source>the last of %1 points has no partner</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点中的最后一个没有配对点</translation>
     </message>
     <message>
         <source>the layer is not loaded yet</source>
-        <translation type="unfinished"></translation>
+        <translation>该图层尚未载入</translation>
     </message>
     <message>
         <source>the lock of this case cannot be had</source>
@@ -7160,11 +7160,11 @@
     </message>
     <message>
         <source>the object has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>该对象没有名称</translation>
     </message>
     <message>
         <source>the path has %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>该路径有 %1 个点</translation>
     </message>
     <message>
         <source>the path holds a zero byte</source>
@@ -7172,7 +7172,7 @@
     </message>
     <message>
         <source>the paths have more than %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>各路径的点超过 %1 个</translation>
     </message>
     <message>
         <source>the point is farther from 0 than any place on Earth</source>
@@ -7180,31 +7180,31 @@
     </message>
     <message>
         <source>the points taken out of layer '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>从图层“%1”移除的点</translation>
     </message>
     <message>
         <source>the reference is not known four times better than the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值的不确定度大于允差的四分之一</translation>
     </message>
     <message>
         <source>the runs end with a space</source>
-        <translation type="unfinished"></translation>
+        <translation>各段以空格结尾</translation>
     </message>
     <message>
         <source>the runs end within a pair</source>
-        <translation type="unfinished"></translation>
+        <translation>各段在一对数的中间结束</translation>
     </message>
     <message>
         <source>the runs reach beyond the layer's %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>各段超出该图层的 %1 个点</translation>
     </message>
     <message>
         <source>the tape value</source>
-        <translation type="unfinished"></translation>
+        <translation>卷尺值</translation>
     </message>
     <message>
         <source>the tape's resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>卷尺的分辨力</translation>
     </message>
     <message>
         <source>the text is empty</source>
@@ -7212,11 +7212,11 @@
     </message>
     <message>
         <source>the uncertainty of the measured length, %1 mm, is larger than the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>测量长度的不确定度 %1 mm 大于允差</translation>
     </message>
     <message>
         <source>their points lie on layers that are not registered to each other</source>
-        <translation type="unfinished"></translation>
+        <translation>其各点所在的图层未相互配准</translation>
     </message>
     <message>
         <source>there are %1 bins here</source>
@@ -7236,19 +7236,19 @@
     </message>
     <message>
         <source>there are no points</source>
-        <translation type="unfinished"></translation>
+        <translation>没有点</translation>
     </message>
     <message>
         <source>there are no points here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有点</translation>
     </message>
     <message>
         <source>there are no rows</source>
-        <translation type="unfinished"></translation>
+        <translation>没有行</translation>
     </message>
     <message>
         <source>there are no rows below the header</source>
-        <translation type="unfinished"></translation>
+        <translation>表头以下没有行</translation>
     </message>
     <message>
         <source>there is %1 here</source>
@@ -7256,7 +7256,7 @@
     </message>
     <message>
         <source>there is no number of points at character %1 of the runs</source>
-        <translation type="unfinished"></translation>
+        <translation>各段的第 %1 个字符处没有点数</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
@@ -7264,7 +7264,7 @@
     </message>
     <message>
         <source>there is one cell</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个单元格</translation>
     </message>
     <message>
         <source>this case has been open in another window since %1 (%2 on %3, process %4)</source>
@@ -7304,7 +7304,7 @@
     </message>
     <message>
         <source>this is not below 0</source>
-        <translation type="unfinished"></translation>
+        <translation>此值不得小于 0</translation>
     </message>
     <message>
         <source>this journal names another file, which would be deleted</source>
@@ -7312,11 +7312,11 @@
     </message>
     <message>
         <source>this kind needs %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>此种类需要 %1 个点</translation>
     </message>
     <message>
         <source>this kind needs %1 points or more</source>
-        <translation type="unfinished"></translation>
+        <translation>此种类需要 %1 个或更多的点</translation>
     </message>
     <message>
         <source>this would replace a file of the layer '%1'</source>
@@ -7336,11 +7336,11 @@
     </message>
     <message>
         <source>two objects are called '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个物体名为“%1”</translation>
     </message>
     <message>
         <source>two saved views are called '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个已保存的视图名为“%1”</translation>
     </message>
     <message>
         <source>undo the registration of layer '%1'</source>
@@ -7352,7 +7352,7 @@
     </message>
     <message>
         <source>wait until all of its points are read</source>
-        <translation type="unfinished"></translation>
+        <translation>请等到其全部点读取完毕</translation>
     </message>
 </context>
 <context>
