@@ -7375,7 +7375,7 @@
     </message>
     <message>
         <source>&amp;Box</source>
-        <translation type="unfinished"></translation>
+        <translation>方框(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Checkerboard</source>
@@ -7383,11 +7383,11 @@
     </message>
     <message>
         <source>&amp;Clean panel</source>
-        <translation type="unfinished"></translation>
+        <translation>清理面板(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Clear selection</source>
-        <translation type="unfinished"></translation>
+        <translation>清除选择(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Compare</source>
@@ -7395,7 +7395,7 @@
     </message>
     <message>
         <source>&amp;Copy table</source>
-        <translation type="unfinished"></translation>
+        <translation>复制表格(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
@@ -7403,7 +7403,7 @@
     </message>
     <message>
         <source>&amp;Edge</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -7423,7 +7423,7 @@
     </message>
     <message>
         <source>&amp;Forget the part</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表中去掉物体(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Front</source>
@@ -7435,23 +7435,23 @@
     </message>
     <message>
         <source>&amp;Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最高点(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;History</source>
-        <translation type="unfinished"></translation>
+        <translation>历史记录(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>水平距离(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Import picks…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入点选(&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;Invert selection</source>
-        <translation type="unfinished"></translation>
+        <translation>反向选择(&amp;I)</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -7459,19 +7459,19 @@
     </message>
     <message>
         <source>&amp;Keep only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅保留所选(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>键盘快捷键(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Known distance</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>套索(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Left</source>
@@ -7479,7 +7479,7 @@
     </message>
     <message>
         <source>&amp;Make object</source>
-        <translation type="unfinished"></translation>
+        <translation>生成物体(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -7491,7 +7491,7 @@
     </message>
     <message>
         <source>&amp;Move picks</source>
-        <translation type="unfinished"></translation>
+        <translation>移动点选(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;New case</source>
@@ -7499,7 +7499,7 @@
     </message>
     <message>
         <source>&amp;Next snap</source>
-        <translation type="unfinished"></translation>
+        <translation>下一种捕捉(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
@@ -7511,7 +7511,7 @@
     </message>
     <message>
         <source>&amp;Orthographic</source>
-        <translation type="unfinished"></translation>
+        <translation>正交投影(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Perspective</source>
@@ -7519,11 +7519,11 @@
     </message>
     <message>
         <source>&amp;Picks</source>
-        <translation type="unfinished"></translation>
+        <translation>点选(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Point to plane</source>
-        <translation type="unfinished"></translation>
+        <translation>点到平面(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Preview refused pose</source>
@@ -7543,11 +7543,11 @@
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Responsiveness</source>
-        <translation type="unfinished"></translation>
+        <translation>响应情况(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Save case</source>
@@ -7555,7 +7555,7 @@
     </message>
     <message>
         <source>&amp;Separate objects</source>
-        <translation type="unfinished"></translation>
+        <translation>分离物体(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Smaller points</source>
@@ -7587,7 +7587,7 @@
     </message>
     <message>
         <source>&amp;User guide</source>
-        <translation type="unfinished"></translation>
+        <translation>用户指南(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Verify evidence</source>
@@ -7595,7 +7595,7 @@
     </message>
     <message>
         <source>&amp;Vertical height</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直高度(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -7607,47 +7607,47 @@
     </message>
     <message>
         <source>A grid in metres, on the ground or over a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>以米为单位的网格，位于地面上或平面图上。</translation>
     </message>
     <message>
         <source>A magnified picture of the place that a click would take.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击将选取位置的放大图。</translation>
     </message>
     <message>
         <source>A pick is the centre of the circle on whose rim it lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选所在圆周的圆心。</translation>
     </message>
     <message>
         <source>A pick is the centroid of the points round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选周围各点的质心。</translation>
     </message>
     <message>
         <source>A pick is the corner where three planes meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选三个平面相交的角点。</translation>
     </message>
     <message>
         <source>A pick is the highest place of what lies round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选附近的最高点。</translation>
     </message>
     <message>
         <source>A pick is the lowest place of what lies round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选附近的最低点。</translation>
     </message>
     <message>
         <source>A pick is the measured point under the cursor.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选光标下的测量点。</translation>
     </message>
     <message>
         <source>A pick lies on the edge where two planes meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选位于两个平面相交的边缘上。</translation>
     </message>
     <message>
         <source>A pick lies on the plane through the points round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选位于由其周围各点确定的平面上。</translation>
     </message>
     <message>
         <source>A&amp;rc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧(&amp;R)</translation>
     </message>
     <message>
         <source>Add an object to measure.</source>
@@ -7667,11 +7667,11 @@
     </message>
     <message>
         <source>An&amp;gle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度(&amp;G)</translation>
     </message>
     <message>
         <source>Ar&amp;ea</source>
-        <translation type="unfinished"></translation>
+        <translation>面积(&amp;E)</translation>
     </message>
     <message>
         <source>Arrows along the ways to move that the data do not hold.</source>
@@ -7679,7 +7679,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>后视</translation>
     </message>
     <message>
         <source>Back to the &amp;plain view</source>
@@ -7695,67 +7695,67 @@
     </message>
     <message>
         <source>Bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>仰视</translation>
     </message>
     <message>
         <source>Bring &amp;back removed points</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复已移除的点(&amp;B)</translation>
     </message>
     <message>
         <source>C&amp;ircle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆(&amp;I)</translation>
     </message>
     <message>
         <source>C&amp;ircle centre</source>
-        <translation type="unfinished"></translation>
+        <translation>圆心(&amp;I)</translation>
     </message>
     <message>
         <source>C&amp;lean</source>
-        <translation type="unfinished"></translation>
+        <translation>清理(&amp;L)</translation>
     </message>
     <message>
         <source>C&amp;orner</source>
-        <translation type="unfinished"></translation>
+        <translation>角点(&amp;O)</translation>
     </message>
     <message>
         <source>Case an&amp;d report</source>
-        <translation type="unfinished"></translation>
+        <translation>案件与报告(&amp;D)</translation>
     </message>
     <message>
         <source>Cen&amp;troid</source>
-        <translation type="unfinished"></translation>
+        <translation>质心(&amp;T)</translation>
     </message>
     <message>
         <source>Choose the colours and from where to where they run.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择颜色及其起止范围。</translation>
     </message>
     <message>
         <source>Click a point, then three or more of a plane; the distance between them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击一个点，再单击平面上的三个或更多点；测量两者之间的距离。</translation>
     </message>
     <message>
         <source>Click along a line, such as a skid mark; its length is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿一条线（例如制动印痕）单击；测量其长度。</translation>
     </message>
     <message>
         <source>Click along an arc, such as a yaw mark; its radius and, with a drag factor, the speed are found.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿圆弧（例如侧滑印痕）单击；求得其半径，给出附着系数时还求得速度。</translation>
     </message>
     <message>
         <source>Click both ends of a line; the heights of the cloud along it are shown and measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击一条线的两端；显示并测量点云沿该线的高程。</translation>
     </message>
     <message>
         <source>Click points of a rim; the diameter of the circle through them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击圆周上的点；测量通过这些点的圆的直径。</translation>
     </message>
     <message>
         <source>Click round an outline; the area within is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轮廓单击一圈；测量其中的面积。</translation>
     </message>
     <message>
         <source>Click round an outline; the space between the cloud and the plane through it is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轮廓单击一圈；测量点云与通过该轮廓的平面之间的空间。</translation>
     </message>
     <message>
         <source>Click the two ends of an object; three repeats make a measurement.</source>
@@ -7763,27 +7763,27 @@
     </message>
     <message>
         <source>Click three points of one plane and three or more of another; distance and angle are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击一个平面上的三个点和另一个平面上的三个或更多点；测量距离和夹角。</translation>
     </message>
     <message>
         <source>Click three points; the angle at the second is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击三个点；测量第二个点处的角度。</translation>
     </message>
     <message>
         <source>Click two points; the level part of the way between them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击两个点；测量两点之间路径的水平分量。</translation>
     </message>
     <message>
         <source>Click two points; the upright part of the way between them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击两个点；测量两点之间路径的竖直分量。</translation>
     </message>
     <message>
         <source>Click two undamaged ends, then along the damage; the depths C1 to C6 are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击两个未损坏的端点，再沿损坏部分单击；测量深度 C1 至 C6。</translation>
     </message>
     <message>
         <source>Click what an upright box is to reach; its length, width and height are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击直立长方体应到达的各点；测量其长、宽、高。</translation>
     </message>
     <message>
         <source>Close the program.</source>
@@ -7799,7 +7799,7 @@
     </message>
     <message>
         <source>Colour by &amp;class</source>
-        <translation type="unfinished"></translation>
+        <translation>按类别着色(&amp;C)</translation>
     </message>
     <message>
         <source>Colour by &amp;distance to target</source>
@@ -7823,11 +7823,11 @@
     </message>
     <message>
         <source>Colours and range…</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色与范围…</translation>
     </message>
     <message>
         <source>Colours for ground, vegetation, buildings and the other classes that LAS files have.</source>
-        <translation type="unfinished"></translation>
+        <translation>地面、植被、建筑物以及 LAS 文件所含其他类别的颜色。</translation>
     </message>
     <message>
         <source>Compare registered layers at their first pose with where they lie now.</source>
@@ -7839,23 +7839,23 @@
     </message>
     <message>
         <source>Copy &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>复制视图(&amp;V)</translation>
     </message>
     <message>
         <source>Copy the picture of the view to the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>将视图的图片复制到剪贴板。</translation>
     </message>
     <message>
         <source>Copy the selected rows of a table, or all of the measurements, with headings and units.</source>
-        <translation type="unfinished"></translation>
+        <translation>复制表格的所选行或全部测量结果，包括标题和单位。</translation>
     </message>
     <message>
         <source>Cr&amp;ush profile</source>
-        <translation type="unfinished"></translation>
+        <translation>变形断面(&amp;U)</translation>
     </message>
     <message>
         <source>Cross-&amp;section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面(&amp;S)</translation>
     </message>
     <message>
         <source>Do again what was undone.</source>
@@ -7863,7 +7863,7 @@
     </message>
     <message>
         <source>Drag the ends of the selected object, or nudge them with the arrow keys, without the measuring tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>不用测量工具，拖动所选对象的端点，或用方向键微调。</translation>
     </message>
     <message>
         <source>Draw points larger.</source>
@@ -7887,7 +7887,7 @@
     </message>
     <message>
         <source>Every step of the case; a click goes there.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件的每一步；单击即转到该步。</translation>
     </message>
     <message>
         <source>Export &amp;measurements…</source>
@@ -7899,19 +7899,19 @@
     </message>
     <message>
         <source>Export pic&amp;ks…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出点选(&amp;K)…</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation type="unfinished"></translation>
+        <translation>全屏(&amp;U)</translation>
     </message>
     <message>
         <source>Fill every view with all there is, or with the section.</source>
-        <translation type="unfinished"></translation>
+        <translation>使所有内容或剖切框充满每个视图。</translation>
     </message>
     <message>
         <source>Fill the view with the chosen part of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>使所选的现场物体充满视图。</translation>
     </message>
     <message>
         <source>Fill the view with the selected layer, else with the one whose registration is described.</source>
@@ -7919,11 +7919,11 @@
     </message>
     <message>
         <source>Find &amp;ground</source>
-        <translation type="unfinished"></translation>
+        <translation>查找地面(&amp;G)</translation>
     </message>
     <message>
         <source>Find &amp;outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>查找离群点(&amp;O)</translation>
     </message>
     <message>
         <source>Find where the selected layer belongs, whatever its first pose and unit, and register it there.</source>
@@ -7935,15 +7935,15 @@
     </message>
     <message>
         <source>Fo&amp;ur views</source>
-        <translation type="unfinished"></translation>
+        <translation>四视图(&amp;U)</translation>
     </message>
     <message>
         <source>Forget the cleaning of the selected layer, or of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>取消所选图层或所有图层的清理。</translation>
     </message>
     <message>
         <source>From above, from the front, from the left, and the view there was; a click makes one active.</source>
-        <translation type="unfinished"></translation>
+        <translation>俯视、前视、左视和原有视图；单击其一使其成为活动视图。</translation>
     </message>
     <message>
         <source>Go back to the case as it was saved.</source>
@@ -7955,7 +7955,7 @@
     </message>
     <message>
         <source>Gri&amp;d</source>
-        <translation type="unfinished"></translation>
+        <translation>网格(&amp;D)</translation>
     </message>
     <message>
         <source>Hash every file again and compare with what was read (SHA-256).</source>
@@ -7963,19 +7963,19 @@
     </message>
     <message>
         <source>Imp&amp;ort panel</source>
-        <translation type="unfinished"></translation>
+        <translation>导入面板(&amp;O)</translation>
     </message>
     <message>
         <source>Import ta&amp;pe values…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入卷尺值(&amp;P)…</translation>
     </message>
     <message>
         <source>In perspective near points are drawn larger than far ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>透视时近处的点画得比远处的大。</translation>
     </message>
     <message>
         <source>Keep this view in the case under a name, for you and the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>将此视图以一个名称保存在案件中，供您和报告使用。</translation>
     </message>
     <message>
         <source>L&amp;arger points</source>
@@ -7983,19 +7983,19 @@
     </message>
     <message>
         <source>Left turns, middle or Shift and left move, wheel and right zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>左键旋转，中键或 Shift 加左键移动，滚轮和右键缩放。</translation>
     </message>
     <message>
         <source>Left turns, right moves, wheel and middle zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>左键旋转，右键移动，滚轮和中键缩放。</translation>
     </message>
     <message>
         <source>Left turns, right or middle moves, the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>左键旋转，右键或中键移动，滚轮缩放。</translation>
     </message>
     <message>
         <source>Level slab</source>
-        <translation type="unfinished"></translation>
+        <translation>水平薄片</translation>
     </message>
     <message>
         <source>Light bac&amp;kground</source>
@@ -8003,23 +8003,23 @@
     </message>
     <message>
         <source>List what stands on the ground as objects: vehicles, debris, poles.</source>
-        <translation type="unfinished"></translation>
+        <translation>将立在地面上的东西列为物体：车辆、散落物、立杆。</translation>
     </message>
     <message>
         <source>Lo&amp;upe</source>
-        <translation type="unfinished"></translation>
+        <translation>放大镜(&amp;U)</translation>
     </message>
     <message>
         <source>Lo&amp;west</source>
-        <translation type="unfinished"></translation>
+        <translation>最低点(&amp;W)</translation>
     </message>
     <message>
         <source>Local p&amp;lane</source>
-        <translation type="unfinished"></translation>
+        <translation>局部平面(&amp;L)</translation>
     </message>
     <message>
         <source>Look &amp;at the part</source>
-        <translation type="unfinished"></translation>
+        <translation>查看物体(&amp;A)</translation>
     </message>
     <message>
         <source>Look at the la&amp;yer</source>
@@ -8031,11 +8031,11 @@
     </message>
     <message>
         <source>Make the section box hold all there is.</source>
-        <translation type="unfinished"></translation>
+        <translation>使剖切框容纳所有内容。</translation>
     </message>
     <message>
         <source>Measure how long the window takes to answer, and tell what held it longest.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量窗口响应所需的时间，并指出什么占用窗口最久。</translation>
     </message>
     <message>
         <source>Measurements and their errors.</source>
@@ -8043,39 +8043,39 @@
     </message>
     <message>
         <source>Mouse as in CloudCompare</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标操作同 CloudCompare</translation>
     </message>
     <message>
         <source>Mouse as in Slicer and F3D</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标操作同 Slicer 和 F3D</translation>
     </message>
     <message>
         <source>Mouse as in Vestige</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标操作同 Vestige</translation>
     </message>
     <message>
         <source>Move the slab by its thickness against its axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>将薄片逆其轴向移动一个厚度。</translation>
     </message>
     <message>
         <source>Move the slab by its thickness along its axis; Ctrl and wheel do so, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>将薄片沿其轴向移动一个厚度；Ctrl 加滚轮亦可。</translation>
     </message>
     <message>
         <source>Name the selected points as an object of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选的点命名为现场物体。</translation>
     </message>
     <message>
         <source>Near points larger</source>
-        <translation type="unfinished"></translation>
+        <translation>近处的点较大</translation>
     </message>
     <message>
         <source>Nearest &amp;point</source>
-        <translation type="unfinished"></translation>
+        <translation>最近点(&amp;P)</translation>
     </message>
     <message>
         <source>North arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>指北针</translation>
     </message>
     <message>
         <source>Open a case (case.json or .vestige).</source>
@@ -8083,27 +8083,27 @@
     </message>
     <message>
         <source>Open sample &amp;case</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例案件(&amp;C)</translation>
     </message>
     <message>
         <source>Open the sample scene; where it is not there yet, it is simulated first (some minutes).</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例现场；尚不存在时先进行模拟（需数分钟）。</translation>
     </message>
     <message>
         <source>Parallel lines stay parallel, from any direction; off: perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>从任何方向看平行线都保持平行；关闭时：透视。</translation>
     </message>
     <message>
         <source>Picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>图片…</translation>
     </message>
     <message>
         <source>Plane to pla&amp;ne</source>
-        <translation type="unfinished"></translation>
+        <translation>平面到平面(&amp;N)</translation>
     </message>
     <message>
         <source>Po&amp;lyline</source>
-        <translation type="unfinished"></translation>
+        <translation>折线(&amp;L)</translation>
     </message>
     <message>
         <source>Put the selected layer back to where its file has it.</source>
@@ -8147,15 +8147,15 @@
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>右视</translation>
     </message>
     <message>
         <source>Sa&amp;ve view</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图(&amp;V)</translation>
     </message>
     <message>
         <source>Save a picture of the view, of any size or true to scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图的图片，可为任意尺寸或按比例尺。</translation>
     </message>
     <message>
         <source>Save case &amp;as…</source>
@@ -8163,7 +8163,7 @@
     </message>
     <message>
         <source>Save shortcut &amp;sheet…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存快捷键表(&amp;S)…</translation>
     </message>
     <message>
         <source>Save the case under another name.</source>
@@ -8175,43 +8175,43 @@
     </message>
     <message>
         <source>Section bo&amp;x</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切框(&amp;X)</translation>
     </message>
     <message>
         <source>Section round everything</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切框包围全部</translation>
     </message>
     <message>
         <source>Select &amp;points of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>选择物体的点(&amp;P)</translation>
     </message>
     <message>
         <source>Select nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>不选择任何点。</translation>
     </message>
     <message>
         <source>Select points by a rectangle drawn over the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>用在视图上画出的矩形选择点。</translation>
     </message>
     <message>
         <source>Select points by an outline drawn over the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>用在视图上画出的轮廓选择点。</translation>
     </message>
     <message>
         <source>Select the points of the chosen part of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择所选现场物体的点。</translation>
     </message>
     <message>
         <source>Select the points that lie apart from all others, of the selected layer or of all that are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择与所有其他点相分离的点，取自所选图层或所有显示的图层。</translation>
     </message>
     <message>
         <source>Select the surface that everything stands on, of the selected layer or else the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择承载所有物体的表面，取自所选图层，否则取自目标图层。</translation>
     </message>
     <message>
         <source>Select what is shown and not selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择已显示而未选择的点。</translation>
     </message>
     <message>
         <source>Shade edges so that shapes stand out.</source>
@@ -8223,27 +8223,27 @@
     </message>
     <message>
         <source>Show a thin level slab, across the z axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层垂直于 z 轴的水平薄片。</translation>
     </message>
     <message>
         <source>Show a thin slab that faces the view: upright, from above level.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层正对视图的薄片：竖直；从上方观察时为水平。</translation>
     </message>
     <message>
         <source>Show a thin slab upright across the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层垂直于 x 轴的竖直薄片。</translation>
     </message>
     <message>
         <source>Show a thin slab upright across the y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层垂直于 y 轴的竖直薄片。</translation>
     </message>
     <message>
         <source>Show all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部</translation>
     </message>
     <message>
         <source>Show all shortcuts, and change them.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示所有快捷键，并可更改。</translation>
     </message>
     <message>
         <source>Show each iteration of a registration in the view and as curves, and keep them to be replayed.</source>
@@ -8255,7 +8255,7 @@
     </message>
     <message>
         <source>Show only what lies in a box, whose faces the mouse can drag; its bar has the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>只显示位于框内的内容，框的各面可用鼠标拖动；其数值在工具条中。</translation>
     </message>
     <message>
         <source>Show registered layers at their first pose.</source>
@@ -8279,11 +8279,11 @@
     </message>
     <message>
         <source>Show the user guide beside the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>在视图旁边显示用户指南。</translation>
     </message>
     <message>
         <source>Show where y points, which is north on a map grid.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示 y 轴的指向，在地图网格上即为北。</translation>
     </message>
     <message>
         <source>Simplified Chinese</source>
@@ -8291,43 +8291,43 @@
     </message>
     <message>
         <source>Slab across x</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于 x 的薄片</translation>
     </message>
     <message>
         <source>Slab across y</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于 y 的薄片</translation>
     </message>
     <message>
         <source>Slab back</source>
-        <translation type="unfinished"></translation>
+        <translation>薄片后移</translation>
     </message>
     <message>
         <source>Slab facing the view</source>
-        <translation type="unfinished"></translation>
+        <translation>正对视图的薄片</translation>
     </message>
     <message>
         <source>Slab on</source>
-        <translation type="unfinished"></translation>
+        <translation>薄片前移</translation>
     </message>
     <message>
         <source>Snap picks to the next kind of feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>将点选捕捉到下一种特征。</translation>
     </message>
     <message>
         <source>Take everything else of these layers out of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些图层的其余各点从现场中移除。</translation>
     </message>
     <message>
         <source>Take objects and what the tape says from a table, or from exported measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>从表格或导出的测量结果中取得对象及其卷尺值。</translation>
     </message>
     <message>
         <source>Take picked points from a list (x,y,z with index or label): each two are a repeat.</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表取得点选的点（x,y,z，带索引或标签）：每两个点为一次测量。</translation>
     </message>
     <message>
         <source>Take points out of the scene, find the ground and what stands on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>从现场中移除点，查找地面及地面上的物体。</translation>
     </message>
     <message>
         <source>Take recorded &amp;aims</source>
@@ -8335,7 +8335,7 @@
     </message>
     <message>
         <source>Take the chosen part out of the list; its points stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选物体从列表中去掉；其点保留。</translation>
     </message>
     <message>
         <source>Take the last change of the case back.</source>
@@ -8355,11 +8355,11 @@
     </message>
     <message>
         <source>Take the selected points out of the scene; the file keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选的点从现场中移除；文件仍保留这些点。</translation>
     </message>
     <message>
         <source>The case's details, what is missing, and what a report writes.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件信息、缺少的内容以及报告将写出的内容。</translation>
     </message>
     <message>
         <source>The colours that the files have.</source>
@@ -8367,7 +8367,7 @@
     </message>
     <message>
         <source>The files of the case and what they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件的文件及其标识。</translation>
     </message>
     <message>
         <source>The other layers are registered to this one.</source>
@@ -8375,15 +8375,15 @@
     </message>
     <message>
         <source>The selected object is a known distance that the survey is checked by; its tape value is the reference.</source>
-        <translation type="unfinished"></translation>
+        <translation>所选对象是用于核验勘测的已知距离；其卷尺值为参考值。</translation>
     </message>
     <message>
         <source>The view turns about the point under the cursor; where there is none, about what is dragged.</source>
-        <translation type="unfinished"></translation>
+        <translation>视图绕光标下的点旋转；该处没有点时，绕所拖动之处旋转。</translation>
     </message>
     <message>
         <source>Turn about the point under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>绕光标下的点旋转</translation>
     </message>
     <message>
         <source>Turn, move and zoom the view.</source>
@@ -8403,7 +8403,7 @@
     </message>
     <message>
         <source>Use the whole screen, or go back.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用整个屏幕，或恢复原状。</translation>
     </message>
     <message>
         <source>Version and what it is built with.</source>
@@ -8415,11 +8415,11 @@
     </message>
     <message>
         <source>View the scene from below.</source>
-        <translation type="unfinished"></translation>
+        <translation>从下方观察现场。</translation>
     </message>
     <message>
         <source>View the scene from the back.</source>
-        <translation type="unfinished"></translation>
+        <translation>从后方观察现场。</translation>
     </message>
     <message>
         <source>View the scene from the front.</source>
@@ -8431,7 +8431,7 @@
     </message>
     <message>
         <source>View the scene from the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>从右侧观察现场。</translation>
     </message>
     <message>
         <source>View the scene in perspective.</source>
@@ -8443,7 +8443,7 @@
     </message>
     <message>
         <source>Volu&amp;me</source>
-        <translation type="unfinished"></translation>
+        <translation>体积(&amp;M)</translation>
     </message>
     <message>
         <source>Watched iteration bac&amp;k</source>
@@ -8475,11 +8475,11 @@
     </message>
     <message>
         <source>Write all picked points as label,x,y,z, which reads back.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所有点选的点写为 label,x,y,z，可重新读入。</translation>
     </message>
     <message>
         <source>Write the shortcuts as a page to print: PDF, HTML or text.</source>
-        <translation type="unfinished"></translation>
+        <translation>将快捷键写成可打印的页面：PDF、HTML 或文本。</translation>
     </message>
     <message>
         <source>Write the table of measurements as CSV.</source>
@@ -8491,7 +8491,7 @@
     </message>
     <message>
         <source>expected a name that ends with .pdf, .html or .txt</source>
-        <translation type="unfinished"></translation>
+        <translation>应为以 .pdf、.html 或 .txt 结尾的名称</translation>
     </message>
     <message>
         <source>first pose of %1</source>
@@ -8507,11 +8507,11 @@
     </message>
     <message>
         <source>the folder of the sample case cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建示例案件的文件夹</translation>
     </message>
     <message>
         <source>this is no name of a sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是快捷键表的名称</translation>
     </message>
 </context>
 <context>
@@ -8541,7 +8541,7 @@
     </message>
     <message>
         <source>it is saved when the disk answers</source>
-        <translation type="unfinished"></translation>
+        <translation>磁盘响应后即会保存</translation>
     </message>
     <message>
         <source>its changes are recovered as a case without a place</source>
@@ -8569,7 +8569,7 @@
     </message>
     <message>
         <source>the disk has not yet taken the case</source>
-        <translation type="unfinished"></translation>
+        <translation>磁盘尚未写入案件</translation>
     </message>
     <message>
         <source>the disk has not yet taken the changes that were made before</source>
@@ -8665,7 +8665,7 @@
     </message>
     <message>
         <source>%1 at %2 dpi</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2 dpi</translation>
     </message>
     <message>
         <source>+ above or outside, − below or inside</source>
@@ -8673,7 +8673,7 @@
     </message>
     <message>
         <source>, no classes</source>
-        <translation type="unfinished"></translation>
+        <translation>，无类别</translation>
     </message>
     <message>
         <source>, no colour</source>
@@ -8685,11 +8685,11 @@
     </message>
     <message>
         <source>1 to %1 a side, %2 million in all</source>
-        <translation type="unfinished"></translation>
+        <translation>每边应为 1 到 %1，总计不超过 %2 百万</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>类别</translation>
     </message>
     <message>
         <source>Distance to the target's surface</source>
@@ -8697,11 +8697,11 @@
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>前视</translation>
     </message>
     <message>
         <source>Grey: each layer's own range of intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>灰度：各图层自身的强度范围</translation>
     </message>
     <message>
         <source>Height</source>
@@ -8709,27 +8709,27 @@
     </message>
     <message>
         <source>Intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>强度</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>左视</translation>
     </message>
     <message>
         <source>Parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>平行投影</translation>
     </message>
     <message>
         <source>Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>透视</translation>
     </message>
     <message>
         <source>PointClass</source>
-        <translation type="unfinished"></translation>
+        <translation>点类别</translation>
     </message>
     <message>
         <source>Range as typed; the spread is %1 %2 (1 SD)</source>
-        <translation type="unfinished"></translation>
+        <translation>范围按所输入的值；离散度为 %1 %2（1 倍标准差）</translation>
     </message>
     <message>
         <source>Range: 3 × the spread of %1 %2 (1 SD)</source>
@@ -8741,7 +8741,7 @@
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>俯视</translation>
     </message>
     <message>
         <source>a picture of %1 x %2 pixels cannot be drawn</source>
@@ -8749,7 +8749,7 @@
     </message>
     <message>
         <source>as recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>按记录值</translation>
     </message>
     <message>
         <source>at the view's centre</source>
@@ -8757,43 +8757,43 @@
     </message>
     <message>
         <source>bridge deck</source>
-        <translation type="unfinished"></translation>
+        <translation>桥面</translation>
     </message>
     <message>
         <source>grid %1</source>
-        <translation type="unfinished"></translation>
+        <translation>网格 %1</translation>
     </message>
     <message>
         <source>high noise</source>
-        <translation type="unfinished"></translation>
+        <translation>高处噪声</translation>
     </message>
     <message>
         <source>high vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>高植被</translation>
     </message>
     <message>
         <source>ignored ground</source>
-        <translation type="unfinished"></translation>
+        <translation>忽略的地面</translation>
     </message>
     <message>
         <source>low noise</source>
-        <translation type="unfinished"></translation>
+        <translation>低处噪声</translation>
     </message>
     <message>
         <source>low vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>低植被</translation>
     </message>
     <message>
         <source>medium vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>中等植被</translation>
     </message>
     <message>
         <source>model key point</source>
-        <translation type="unfinished"></translation>
+        <translation>模型关键点</translation>
     </message>
     <message>
         <source>never classified</source>
-        <translation type="unfinished"></translation>
+        <translation>从未分类</translation>
     </message>
     <message>
         <source>no off-screen drawing context</source>
@@ -8805,19 +8805,19 @@
     </message>
     <message>
         <source>of the user</source>
-        <translation type="unfinished"></translation>
+        <translation>用户定义</translation>
     </message>
     <message>
         <source>overhead structure</source>
-        <translation type="unfinished"></translation>
+        <translation>高架结构</translation>
     </message>
     <message>
         <source>road surface</source>
-        <translation type="unfinished"></translation>
+        <translation>路面</translation>
     </message>
     <message>
         <source>temporal exclusion</source>
-        <translation type="unfinished"></translation>
+        <translation>时间排除点</translation>
     </message>
     <message>
         <source>the picture could not be drawn</source>
@@ -8833,19 +8833,19 @@
     </message>
     <message>
         <source>transmission tower</source>
-        <translation type="unfinished"></translation>
+        <translation>输电塔</translation>
     </message>
     <message>
         <source>wire connector</source>
-        <translation type="unfinished"></translation>
+        <translation>导线连接件</translation>
     </message>
     <message>
         <source>wire, conductor</source>
-        <translation type="unfinished"></translation>
+        <translation>导线（相线）</translation>
     </message>
     <message>
         <source>wire, guard</source>
-        <translation type="unfinished"></translation>
+        <translation>架空地线</translation>
     </message>
 </context>
 <context>
