@@ -255,7 +255,7 @@
     </message>
     <message>
         <source>A point this near to the ground's surface is ground; automatic: 3 times the scatter of the points round it, 0.02 m to 0.15 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>离地面这么近的点即为地面；自动：其周围点离散度的 3 倍，限于 0.02 m 到 0.15 m。</translation>
     </message>
     <message>
         <source>A point with fewer others within the radius is an outlier.</source>
@@ -263,51 +263,51 @@
     </message>
     <message>
         <source>All layers that are shown, or the selected one alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有显示的图层，或仅所选图层。</translation>
     </message>
     <message>
         <source>Anything of fewer points is passed over.</source>
-        <translation type="unfinished"></translation>
+        <translation>点数少于此数者略过。</translation>
     </message>
     <message>
         <source>Anything whose longest side is longer is passed over: buildings, rows of trees.</source>
-        <translation type="unfinished"></translation>
+        <translation>最长边大于此值者略过：建筑物、成排的树木。</translation>
     </message>
     <message>
         <source>Anything whose longest side is shorter is passed over.</source>
-        <translation type="unfinished"></translation>
+        <translation>最长边小于此值者略过。</translation>
     </message>
     <message>
         <source>By distance: an outlier lies above the mean of all mean distances by more than this many of their standard deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>按距离：平均距离比所有平均距离的均值大出这么多倍标准差以上的点为离群点。</translation>
     </message>
     <message>
         <source>By distance: how many neighbours are asked.</source>
-        <translation type="unfinished"></translation>
+        <translation>按距离：考察多少个邻点。</translation>
     </message>
     <message>
         <source>By number: a point with fewer others within the radius is an outlier.</source>
-        <translation type="unfinished"></translation>
+        <translation>按数量：半径内其他点少于此数的点为离群点。</translation>
     </message>
     <message>
         <source>By number: neighbours lie within this distance; automatic: 3 times the median spacing.</source>
-        <translation type="unfinished"></translation>
+        <translation>按数量：邻点位于此距离之内；自动：点间距中位数的 3 倍。</translation>
     </message>
     <message>
         <source>Cell</source>
-        <translation type="unfinished"></translation>
+        <translation>单元</translation>
     </message>
     <message>
         <source>Cubes of this edge that touch and hold points belong to one object; three times the spacing of the points or more, and less than what stands apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>以此为边长、含有点且彼此相接的立方体属于同一物体；应不小于点间距的三倍，且小于相互分开的物体之间的距离。</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>深度</translation>
     </message>
     <message>
         <source>Edge of the squares whose lowest points begin the search; several points should fall into one.</source>
-        <translation type="unfinished"></translation>
+        <translation>方格的边长，搜索从各方格的最低点开始；每个方格应落入若干点。</translation>
     </message>
     <message>
         <source>Edge of the voxels that are thinned to one point each; automatic: no thinning.</source>
@@ -315,7 +315,7 @@
     </message>
     <message>
         <source>Fewest neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>最少邻点数</translation>
     </message>
     <message>
         <source>Fewest neighbours (ror)</source>
@@ -323,7 +323,7 @@
     </message>
     <message>
         <source>Fewest points</source>
-        <translation type="unfinished"></translation>
+        <translation>最少点数</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -331,11 +331,11 @@
     </message>
     <message>
         <source>Gap</source>
-        <translation type="unfinished"></translation>
+        <translation>间隙</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最大高度</translation>
     </message>
     <message>
         <source>How outliers are found before filtering: by the mean distance to the nearest neighbours (sor), by the number of neighbours within the radius (ror).</source>
@@ -343,19 +343,19 @@
     </message>
     <message>
         <source>Its mean distance to its nearest neighbours, or the number of neighbours within a radius.</source>
-        <translation type="unfinished"></translation>
+        <translation>到最近邻点的平均距离，或半径内邻点的数量。</translation>
     </message>
     <message>
         <source>Judge a point by</source>
-        <translation type="unfinished"></translation>
+        <translation>判断点的依据</translation>
     </message>
     <message>
         <source>Largest</source>
-        <translation type="unfinished"></translation>
+        <translation>最大尺寸</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation type="unfinished"></translation>
+        <translation>界限</translation>
     </message>
     <message>
         <source>Limit (sor)</source>
@@ -363,7 +363,7 @@
     </message>
     <message>
         <source>Nearest neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>最近邻点数</translation>
     </message>
     <message>
         <source>Nearest neighbours whose mean distance judges a point.</source>
@@ -379,11 +379,11 @@
     </message>
     <message>
         <source>Of the layers</source>
-        <translation type="unfinished"></translation>
+        <translation>图层范围</translation>
     </message>
     <message>
         <source>Only what lies at most this far behind the nearest surface under the outline is taken; automatic: however deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>只取轮廓之下最近表面后方不超过此距离的点；自动：深度不限。</translation>
     </message>
     <message>
         <source>Outliers</source>
@@ -395,11 +395,11 @@
     </message>
     <message>
         <source>Points higher above the ground are passed over: crowns of trees, wires.</source>
-        <translation type="unfinished"></translation>
+        <translation>离地面高于此值的点略过：树冠、电线。</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>半径</translation>
     </message>
     <message>
         <source>Radius of the neighbourhood</source>
@@ -407,15 +407,15 @@
     </message>
     <message>
         <source>Rise over run that the ground may have from one bend to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>地面从一处转折到下一处允许的坡度（高差与水平距离之比）。</translation>
     </message>
     <message>
         <source>SD</source>
-        <translation type="unfinished"></translation>
+        <translation>倍标准差</translation>
     </message>
     <message>
         <source>Smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>最小尺寸</translation>
     </message>
     <message>
         <source>Statistic of its neighbours that replaces each point's position.</source>
@@ -423,19 +423,19 @@
     </message>
     <message>
         <source>Steepest ground</source>
-        <translation type="unfinished"></translation>
+        <translation>最大地面坡度</translation>
     </message>
     <message>
         <source>Take what lies</source>
-        <translation type="unfinished"></translation>
+        <translation>所取部分</translation>
     </message>
     <message>
         <source>The points within the outline, or all others that are seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内的点，或所见的其余各点。</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>允差</translation>
     </message>
     <message>
         <source>Voxel size</source>
@@ -447,15 +447,15 @@
     </message>
     <message>
         <source>What stands on the ground and is narrower than this is no ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>立在地面上且比此值窄的物体不算地面。</translation>
     </message>
     <message>
         <source>Widest thing</source>
-        <translation type="unfinished"></translation>
+        <translation>最宽物体</translation>
     </message>
     <message>
         <source>a cell of %1 m is too small for a cloud of %2 by %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m 的单元对于 %2 m × %3 m 的点云过小</translation>
     </message>
     <message>
         <source>a unit of no length</source>
@@ -491,11 +491,11 @@
     </message>
     <message>
         <source>inside</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内</translation>
     </message>
     <message>
         <source>lowest points</source>
-        <translation type="unfinished"></translation>
+        <translation>最低点</translation>
     </message>
     <message>
         <source>mean</source>
@@ -519,7 +519,7 @@
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>数量</translation>
     </message>
     <message>
         <source>outliers</source>
@@ -531,11 +531,11 @@
     </message>
     <message>
         <source>outside</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之外</translation>
     </message>
     <message>
         <source>planes of the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面的平面</translation>
     </message>
     <message>
         <source>ror</source>
@@ -543,11 +543,11 @@
     </message>
     <message>
         <source>selected</source>
-        <translation type="unfinished"></translation>
+        <translation>所选图层</translation>
     </message>
     <message>
         <source>shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示的图层</translation>
     </message>
     <message>
         <source>sor</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>take a larger cell, or remove far strays first</source>
-        <translation type="unfinished"></translation>
+        <translation>请取较大的单元，或先移除远处的杂散点</translation>
     </message>
     <message>
         <source>the cloud is %1 long and has too many voxels of size %2 along one side</source>
@@ -579,7 +579,7 @@
     </message>
     <message>
         <source>there are no points to find the ground of</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供查找地面的点</translation>
     </message>
     <message>
         <source>voxels</source>
@@ -587,15 +587,15 @@
     </message>
     <message>
         <source>what hangs together</source>
-        <translation type="unfinished"></translation>
+        <translation>相连的点</translation>
     </message>
     <message>
         <source>what stands above the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面以上的物体</translation>
     </message>
     <message>
         <source>what stands on the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面上的物体</translation>
     </message>
 </context>
 <context>
@@ -614,15 +614,15 @@
     </message>
     <message>
         <source>expected metres above 0, or no limit</source>
-        <translation type="unfinished"></translation>
+        <translation>应为大于 0 的米数，或不限</translation>
     </message>
     <message>
         <source>points within</source>
-        <translation type="unfinished"></translation>
+        <translation>范围内的点</translation>
     </message>
     <message>
         <source>the depth of a cut is not above 0 m</source>
-        <translation type="unfinished"></translation>
+        <translation>切取深度不大于 0 m</translation>
     </message>
     <message>
         <source>the last row of the 4x4 pose is not 0 0 0 1</source>
@@ -3784,7 +3784,7 @@
     <name>core/measurement</name>
     <message>
         <source>%1 points within %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 mm 内有 %1 个点</translation>
     </message>
     <message>
         <source>'%1' in the column '%2' is not a length</source>
@@ -3792,459 +3792,459 @@
     </message>
     <message>
         <source>Above less below</source>
-        <translation type="unfinished"></translation>
+        <translation>上方减下方</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>Angle between the planes</source>
-        <translation type="unfinished"></translation>
+        <translation>两平面的夹角</translation>
     </message>
     <message>
         <source>Angle in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平投影角度</translation>
     </message>
     <message>
         <source>Arc (yaw mark)</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧（侧滑印痕）</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>面积</translation>
     </message>
     <message>
         <source>Area in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平投影面积</translation>
     </message>
     <message>
         <source>Area of the damage in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的水平投影面积</translation>
     </message>
     <message>
         <source>Area of the outline in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的水平投影面积</translation>
     </message>
     <message>
         <source>At how many places along the line the height is found, as the median of the points there.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿线在多少处求取高度，取该处各点的中位数。</translation>
     </message>
     <message>
         <source>Base scan</source>
-        <translation type="unfinished"></translation>
+        <translation>基准扫描</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体</translation>
     </message>
     <message>
         <source>C%1</source>
-        <translation type="unfinished"></translation>
+        <translation>C%1</translation>
     </message>
     <message>
         <source>Chord</source>
-        <translation type="unfinished"></translation>
+        <translation>弦长</translation>
     </message>
     <message>
         <source>Circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>Critical speed, radius by chord</source>
-        <translation type="unfinished"></translation>
+        <translation>临界速度（半径由弦长求得）</translation>
     </message>
     <message>
         <source>Critical speed, radius by fit</source>
-        <translation type="unfinished"></translation>
+        <translation>临界速度（半径由拟合求得）</translation>
     </message>
     <message>
         <source>Cross-section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面</translation>
     </message>
     <message>
         <source>Crossfall of the road towards the inside of the bend.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面向弯道内侧的横坡。</translation>
     </message>
     <message>
         <source>Crush profile</source>
-        <translation type="unfinished"></translation>
+        <translation>变形断面</translation>
     </message>
     <message>
         <source>Damage width L</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏宽度 L</translation>
     </message>
     <message>
         <source>Deepest below the line between its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端连线之下最深处</translation>
     </message>
     <message>
         <source>Depth of the area's centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>面积形心的深度</translation>
     </message>
     <message>
         <source>Depths C1 to C6 at evenly spaced stations of the damage, from the undamaged outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>从未损坏轮廓量起，损坏部分各等距测点的深度 C1 至 C6。</translation>
     </message>
     <message>
         <source>Diagonal of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的对角线</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>Distance between the planes</source>
-        <translation type="unfinished"></translation>
+        <translation>两平面的距离</translation>
     </message>
     <message>
         <source>Distance from the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>到平面的距离</translation>
     </message>
     <message>
         <source>Drag factor</source>
-        <translation type="unfinished"></translation>
+        <translation>附着系数</translation>
     </message>
     <message>
         <source>Drag factor, half range</source>
-        <translation type="unfinished"></translation>
+        <translation>附着系数的半宽</translation>
     </message>
     <message>
         <source>Friction of tyre and road, in units of gravity, for a speed; 0: no speed is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮胎与路面的附着系数（摩擦力与重力之比），用于求速度；0：不求速度。</translation>
     </message>
     <message>
         <source>Half width of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的半宽</translation>
     </message>
     <message>
         <source>Height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>高差</translation>
     </message>
     <message>
         <source>Height difference of its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>其两端的高差</translation>
     </message>
     <message>
         <source>Height difference of the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端的高差</translation>
     </message>
     <message>
         <source>Height of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的高度</translation>
     </message>
     <message>
         <source>Height of the centre</source>
-        <translation type="unfinished"></translation>
+        <translation>圆心的高程</translation>
     </message>
     <message>
         <source>Height of the plane measured in</source>
-        <translation type="unfinished"></translation>
+        <translation>测量所在平面的高程</translation>
     </message>
     <message>
         <source>Highest above the line between its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端连线之上最高处</translation>
     </message>
     <message>
         <source>Horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>水平距离</translation>
     </message>
     <message>
         <source>Horizontal length</source>
-        <translation type="unfinished"></translation>
+        <translation>水平长度</translation>
     </message>
     <message>
         <source>Horizontal part</source>
-        <translation type="unfinished"></translation>
+        <translation>水平分量</translation>
     </message>
     <message>
         <source>How far inside of the mark the centre of mass went: half the track width for an outer tyre.</source>
-        <translation type="unfinished"></translation>
+        <translation>质心轨迹位于印痕内侧多远：对外侧轮胎为轮距的一半。</translation>
     </message>
     <message>
         <source>How many evenly spaced depths are given: 6 for C1 to C6.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出多少个等距的深度：6 个即 C1 至 C6。</translation>
     </message>
     <message>
         <source>How many picks at the end trace the undamaged side, which is mirrored onto the damaged one from end to end; 0: the outline is the straight line between the two undamaged ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾有多少个点选描出未损坏的一侧，并按两端对应镜像到损坏的一侧；0：轮廓为两个未损坏端点之间的直线。</translation>
     </message>
     <message>
         <source>How many picks, from the first on, lie on the first plane; the others lie on the second.</source>
-        <translation type="unfinished"></translation>
+        <translation>从第一个点选起，有多少个位于第一个平面上；其余位于第二个平面上。</translation>
     </message>
     <message>
         <source>Largest crush</source>
-        <translation type="unfinished"></translation>
+        <translation>最大变形量</translation>
     </message>
     <message>
         <source>Length along the line</source>
-        <translation type="unfinished"></translation>
+        <translation>沿线长度</translation>
     </message>
     <message>
         <source>Length along the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>沿表面长度</translation>
     </message>
     <message>
         <source>Length of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的长度</translation>
     </message>
     <message>
         <source>Length of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的长度</translation>
     </message>
     <message>
         <source>Length, width and height of the smallest upright box round the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>包围各点的最小直立长方体的长、宽、高。</translation>
     </message>
     <message>
         <source>Level base</source>
-        <translation type="unfinished"></translation>
+        <translation>水平基准面</translation>
     </message>
     <message>
         <source>Level length of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的水平长度</translation>
     </message>
     <message>
         <source>Mark to centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>印痕到质心的距离</translation>
     </message>
     <message>
         <source>Mean crush</source>
-        <translation type="unfinished"></translation>
+        <translation>平均变形量</translation>
     </message>
     <message>
         <source>Mean grade</source>
-        <translation type="unfinished"></translation>
+        <translation>平均坡度</translation>
     </message>
     <message>
         <source>Middle of the damage from the middle of the base line D</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分中点到基准线中点的距离 D</translation>
     </message>
     <message>
         <source>Middle ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>弦中矢高</translation>
     </message>
     <message>
         <source>Number in the list of scans, from 1, of the one whose surface is the base; 0: the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>在扫描列表中从 1 起的编号，以该扫描的表面为基准面；0：以平面为基准面。</translation>
     </message>
     <message>
         <source>Perimeter</source>
-        <translation type="unfinished"></translation>
+        <translation>周长</translation>
     </message>
     <message>
         <source>Places along the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面上的测点数</translation>
     </message>
     <message>
         <source>Plane to plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面到平面</translation>
     </message>
     <message>
         <source>Point to plane</source>
-        <translation type="unfinished"></translation>
+        <translation>点到平面</translation>
     </message>
     <message>
         <source>Points of the first plane</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个平面的点数</translation>
     </message>
     <message>
         <source>Points of the undamaged outline</source>
-        <translation type="unfinished"></translation>
+        <translation>未损坏轮廓的点数</translation>
     </message>
     <message>
         <source>Points within this distance of the line, in plan, belong to the section.</source>
-        <translation type="unfinished"></translation>
+        <translation>水平投影上离该线不超过此距离的点属于断面。</translation>
     </message>
     <message>
         <source>Polyline (skid mark)</source>
-        <translation type="unfinished"></translation>
+        <translation>折线（制动印痕）</translation>
     </message>
     <message>
         <source>Radius by chord and middle ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>由弦长和弦中矢高求得的半径</translation>
     </message>
     <message>
         <source>Radius by fit</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合半径</translation>
     </message>
     <message>
         <source>Reference value</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值</translation>
     </message>
     <message>
         <source>Share of the outline that has points</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓内有点部分的比例</translation>
     </message>
     <message>
         <source>Share of the section that has points</source>
-        <translation type="unfinished"></translation>
+        <translation>断面上有点部分的比例</translation>
     </message>
     <message>
         <source>Side of the square cells whose mean heights are summed; automatic: twice the points' spacing.</source>
-        <translation type="unfinished"></translation>
+        <translation>正方形单元的边长，对各单元的平均高度求和；自动：点间距的两倍。</translation>
     </message>
     <message>
         <source>Speed to leave such a skid mark</source>
-        <translation type="unfinished"></translation>
+        <translation>留下此制动印痕所需的速度</translation>
     </message>
     <message>
         <source>Spread of the heights</source>
-        <translation type="unfinished"></translation>
+        <translation>高程的离散度</translation>
     </message>
     <message>
         <source>Stations</source>
-        <translation type="unfinished"></translation>
+        <translation>测点数</translation>
     </message>
     <message>
         <source>Straight from end to end</source>
-        <translation type="unfinished"></translation>
+        <translation>两端直线距离</translation>
     </message>
     <message>
         <source>Superelevation</source>
-        <translation type="unfinished"></translation>
+        <translation>超高</translation>
     </message>
     <message>
         <source>The angle at the second of three points.</source>
-        <translation type="unfinished"></translation>
+        <translation>三个点中第二个点处的角度。</translation>
     </message>
     <message>
         <source>The area within a closed outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合轮廓之内的面积。</translation>
     </message>
     <message>
         <source>The base is level at the height of the lowest corner, instead of the plane fitted to all corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面取最低角点高程处的水平面，而不取由所有角点拟合的平面。</translation>
     </message>
     <message>
         <source>The diameter of a circle fitted to points of its rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>由圆周上各点拟合的圆的直径。</translation>
     </message>
     <message>
         <source>The distance between two planes and the angle between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个平面之间的距离及其夹角。</translation>
     </message>
     <message>
         <source>The distance of the first point from the plane through the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个点到通过其余各点的平面的距离。</translation>
     </message>
     <message>
         <source>The drag factor is known to lie within plus and minus this of the value given.</source>
-        <translation type="unfinished"></translation>
+        <translation>已知附着系数位于给定值加减此值的范围之内。</translation>
     </message>
     <message>
         <source>The heights of the cloud along a line in plan, and their dimensions.</source>
-        <translation type="unfinished"></translation>
+        <translation>点云沿一条水平投影线的高程及其尺寸。</translation>
     </message>
     <message>
         <source>The length along a line through several points.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿通过若干点的折线的长度。</translation>
     </message>
     <message>
         <source>The level part of the way between two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间路径的水平分量。</translation>
     </message>
     <message>
         <source>The radius of a mark in plan: by chord and middle ordinate, and by a circle fitted to all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>印痕在水平投影上的半径：由弦长和弦中矢高求得，以及由所有点拟合的圆求得。</translation>
     </message>
     <message>
         <source>The space between the cloud and a base plane within an outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内点云与基准面之间的空间。</translation>
     </message>
     <message>
         <source>The straight distance between two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间的直线距离。</translation>
     </message>
     <message>
         <source>The upright part of the way between two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间路径的竖直分量。</translation>
     </message>
     <message>
         <source>Tilt of its plane to the level</source>
-        <translation type="unfinished"></translation>
+        <translation>其平面与水平面的倾角</translation>
     </message>
     <message>
         <source>Tilt of the plane to the level</source>
-        <translation type="unfinished"></translation>
+        <translation>平面与水平面的倾角</translation>
     </message>
     <message>
         <source>Vertical part</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直分量</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>体积</translation>
     </message>
     <message>
         <source>Volume above the base</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面以上的体积</translation>
     </message>
     <message>
         <source>Volume below the base</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面以下的体积</translation>
     </message>
     <message>
         <source>Volume of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的体积</translation>
     </message>
     <message>
         <source>What another method says, to compare with; 0 where there is none.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于对比的其他方法的测值；没有时为 0。</translation>
     </message>
     <message>
         <source>Width of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的宽度</translation>
     </message>
     <message>
         <source>a circle needs three points</source>
-        <translation type="unfinished"></translation>
+        <translation>圆需要三个点</translation>
     </message>
     <message>
         <source>a corner of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的角点</translation>
     </message>
     <message>
         <source>a leg of the angle has no length</source>
-        <translation type="unfinished"></translation>
+        <translation>角的一条边没有长度</translation>
     </message>
     <message>
         <source>a plane needs three points</source>
-        <translation type="unfinished"></translation>
+        <translation>平面需要三个点</translation>
     </message>
     <message>
         <source>a point of the first plane</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个平面上的点</translation>
     </message>
     <message>
         <source>a point of the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面上的点</translation>
     </message>
     <message>
         <source>a point of the rim</source>
-        <translation type="unfinished"></translation>
+        <translation>圆周上的点</translation>
     </message>
     <message>
         <source>a point of the second plane</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个平面上的点</translation>
     </message>
     <message>
         <source>a point that the box is to reach</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体应到达的点</translation>
     </message>
     <message>
         <source>an end</source>
-        <translation type="unfinished"></translation>
+        <translation>端点</translation>
     </message>
     <message>
         <source>an end of the first leg</source>
-        <translation type="unfinished"></translation>
+        <translation>第一条边的端点</translation>
     </message>
     <message>
         <source>an end of the second leg</source>
-        <translation type="unfinished"></translation>
+        <translation>第二条边的端点</translation>
     </message>
     <message>
         <source>column %1 is called '%2'</source>
@@ -4252,11 +4252,11 @@
     </message>
     <message>
         <source>departure from a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>与圆的偏离</translation>
     </message>
     <message>
         <source>drag factor</source>
-        <translation type="unfinished"></translation>
+        <translation>附着系数</translation>
     </message>
     <message>
         <source>expected %1 at most</source>
@@ -4280,47 +4280,47 @@
     </message>
     <message>
         <source>fitted features</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合的特征</translation>
     </message>
     <message>
         <source>height of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>基准面的高程</translation>
     </message>
     <message>
         <source>no %1 was found round the pick</source>
-        <translation type="unfinished"></translation>
+        <translation>点选处附近未找到%1</translation>
     </message>
     <message>
         <source>no point of the cloud lies within the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓之内没有点云的点</translation>
     </message>
     <message>
         <source>pick nearer to it, or choose another feature</source>
-        <translation type="unfinished"></translation>
+        <translation>请在更靠近它处点选，或选择其他特征</translation>
     </message>
     <message>
         <source>point spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>点间距</translation>
     </message>
     <message>
         <source>registration of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的配准</translation>
     </message>
     <message>
         <source>repeat %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 次测量：%2</translation>
     </message>
     <message>
         <source>scatter of the cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>点云的离散</translation>
     </message>
     <message>
         <source>sensor noise</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器噪声</translation>
     </message>
     <message>
         <source>the arc ends where it begins</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的终点与起点重合</translation>
     </message>
     <message>
         <source>the cell in the column 'object' is empty</source>
@@ -4336,75 +4336,75 @@
     </message>
     <message>
         <source>the damage has fewer than two points</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的点少于两个</translation>
     </message>
     <message>
         <source>the end of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的终点</translation>
     </message>
     <message>
         <source>the first undamaged end</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个未损坏的端点</translation>
     </message>
     <message>
         <source>the next corner of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的下一个角点</translation>
     </message>
     <message>
         <source>the next point</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个点</translation>
     </message>
     <message>
         <source>the next point of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的下一个点</translation>
     </message>
     <message>
         <source>the next point of the damaged surface</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏表面的下一个点</translation>
     </message>
     <message>
         <source>the outline has no area in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓没有水平投影面积</translation>
     </message>
     <message>
         <source>the outline holds more than 250000 cells; take larger ones</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓内的单元超过 250000 个；请取较大的单元</translation>
     </message>
     <message>
         <source>the outline stands upright, so nothing is above it</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓是竖直的，因此其上方没有空间</translation>
     </message>
     <message>
         <source>the outline's ends are one and the same</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的两端是同一点</translation>
     </message>
     <message>
         <source>the point</source>
-        <translation type="unfinished"></translation>
+        <translation>该点</translation>
     </message>
     <message>
         <source>the points of the arc lie on one line, or none between its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的各点位于一条直线上，或两端之间没有点</translation>
     </message>
     <message>
         <source>the points of the box lie on one line in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体的各点在水平投影上位于一条直线上</translation>
     </message>
     <message>
         <source>the points of the circle are one and the same</source>
-        <translation type="unfinished"></translation>
+        <translation>圆的各点是同一点</translation>
     </message>
     <message>
         <source>the points of the circle lie on one line</source>
-        <translation type="unfinished"></translation>
+        <translation>圆的各点位于一条直线上</translation>
     </message>
     <message>
         <source>the points of the damage lie over one place</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的各点位于同一处之上</translation>
     </message>
     <message>
         <source>the points of the plane lie on one line</source>
-        <translation type="unfinished"></translation>
+        <translation>平面的各点位于一条直线上</translation>
     </message>
     <message>
         <source>the row has %1 cells</source>
@@ -4412,35 +4412,35 @@
     </message>
     <message>
         <source>the scan that is to be the base has no point here</source>
-        <translation type="unfinished"></translation>
+        <translation>作为基准面的扫描在此处没有点</translation>
     </message>
     <message>
         <source>the second plane has fewer than three points</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个平面的点少于三个</translation>
     </message>
     <message>
         <source>the second undamaged end</source>
-        <translation type="unfinished"></translation>
+        <translation>第二个未损坏的端点</translation>
     </message>
     <message>
         <source>the section has no length in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>断面没有水平投影长度</translation>
     </message>
     <message>
         <source>the start</source>
-        <translation type="unfinished"></translation>
+        <translation>起点</translation>
     </message>
     <message>
         <source>the start of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的起点</translation>
     </message>
     <message>
         <source>the start of the damage</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏部分的起点</translation>
     </message>
     <message>
         <source>the start of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面的起点</translation>
     </message>
     <message>
         <source>the table has %1 columns</source>
@@ -4464,23 +4464,23 @@
     </message>
     <message>
         <source>the undamaged ends are one and the same</source>
-        <translation type="unfinished"></translation>
+        <translation>两个未损坏的端点是同一点</translation>
     </message>
     <message>
         <source>the vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>顶点</translation>
     </message>
     <message>
         <source>there are no points round the pick</source>
-        <translation type="unfinished"></translation>
+        <translation>点选处附近没有点</translation>
     </message>
     <message>
         <source>there are no points to fit to</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供拟合的点</translation>
     </message>
     <message>
         <source>undamaged outline</source>
-        <translation type="unfinished"></translation>
+        <translation>未损坏轮廓</translation>
     </message>
 </context>
 <context>
@@ -4587,7 +4587,7 @@
     </message>
     <message>
         <source>at 1:%1 in print</source>
-        <translation type="unfinished"></translation>
+        <translation>打印比例 1:%1</translation>
     </message>
     <message>
         <source>check that the clouds show the same place, and give a nearer first pose</source>
@@ -4719,7 +4719,7 @@
     </message>
     <message>
         <source>the layer is not loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>图层未载入</translation>
     </message>
     <message>
         <source>the loop %1 fails to close by %2, more than its registrations allow</source>
@@ -5369,7 +5369,7 @@
     </message>
     <message>
         <source>%1 (hidden)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（已隐藏）</translation>
     </message>
     <message>
         <source>%1 (root mean square)</source>
@@ -5441,7 +5441,7 @@
     </message>
     <message>
         <source>%1 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 或更大</translation>
     </message>
     <message>
         <source>%1 perturbed start</source>
@@ -5481,15 +5481,15 @@
     </message>
     <message>
         <source>%1, %2, with %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2，参数：%3。</translation>
     </message>
     <message>
         <source>%1, %2: cross-section, last repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2：断面，最后一次测量</translation>
     </message>
     <message>
         <source>%1, %2: crush in plan, last repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2：变形量水平投影，最后一次测量</translation>
     </message>
     <message>
         <source>%1, published</source>
@@ -5537,7 +5537,7 @@
     </message>
     <message>
         <source>95 % interval</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 区间</translation>
     </message>
     <message>
         <source>A file changed: %1.</source>
@@ -5545,11 +5545,11 @@
     </message>
     <message>
         <source>A known distance (a scale bar, or a distance taped at the scene) is measured in the cloud like every other object. It passes when the difference is not larger than the tolerance set for it; only then is the word “verified” used.</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离（标尺，或在现场用卷尺量得的距离）与其他对象一样在点云中测量。差值不大于为其设定的允差时即为通过；只有这样才使用“已核验”一词。</translation>
     </message>
     <message>
         <source>A length is the straight distance between two points that were picked in the cloud. Each was picked several times anew; the mean of the repeats is the result. Repeat SD is the standard deviation of the repeats. U 95 % is the expanded uncertainty: with a probability of 95 % the true length lies within the mean plus or minus U (how it is found stands under “Uncertainty of the figures”). RE is the relative error against the tape.</source>
-        <translation type="unfinished"></translation>
+        <translation>长度是在点云中点选的两个点之间的直线距离。每个长度均重新点选若干次；结果取各次的平均值。重复标准差是各次测量的标准差。U 95 % 是扩展不确定度：真实长度以 95 % 的概率位于平均值加减 U 的范围之内（求法见“各数值的不确定度”）。RE 是相对于卷尺的相对误差。</translation>
     </message>
     <message>
         <source>Above the plane</source>
@@ -5581,11 +5581,11 @@
     </message>
     <message>
         <source>Along the damage (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>沿损坏部分 (m)</translation>
     </message>
     <message>
         <source>Along the section (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>沿断面 (m)</translation>
     </message>
     <message>
         <source>April</source>
@@ -5621,11 +5621,11 @@
     </message>
     <message>
         <source>Check against known distances</source>
-        <translation type="unfinished"></translation>
+        <translation>用已知距离核验</translation>
     </message>
     <message>
         <source>Cleaning and parts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>清理与现场物体</translation>
     </message>
     <message>
         <source>Cleaning and thinning</source>
@@ -5673,7 +5673,7 @@
     </message>
     <message>
         <source>Depth (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>深度 (m)</translation>
     </message>
     <message>
         <source>Difference (mm)</source>
@@ -5701,7 +5701,7 @@
     </message>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Each cloud is registered to the one before it, starting from no motion at all. With estimates P and known poses Q, E = (Q(i)⁻¹ Q(i+D))⁻¹ (P(i)⁻¹ P(i+D)) is the error of a relative pose, D = %1; the relative pose error (RPE) is the root mean square of the lengths of its translations, and its rotation part that of its angles. A pose counts whatever the registration says of it; where it gives none, the scanner counts as not moved.</source>
@@ -5737,7 +5737,7 @@
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>File</source>
@@ -5761,7 +5761,7 @@
     </message>
     <message>
         <source>Found: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>查找方式：%1。</translation>
     </message>
     <message>
         <source>From %1, %2 was measured.</source>
@@ -5777,7 +5777,7 @@
     </message>
     <message>
         <source>Height (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>高度 (m)</translation>
     </message>
     <message>
         <source>Hold</source>
@@ -5809,15 +5809,15 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>种类</translation>
     </message>
     <message>
         <source>Known (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>已知值 (m)</translation>
     </message>
     <message>
         <source>Known distances at the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场的已知距离</translation>
     </message>
     <message>
         <source>Layer</source>
@@ -5829,7 +5829,7 @@
     </message>
     <message>
         <source>Length (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>长度 (m)</translation>
     </message>
     <message>
         <source>Lengths by object and method</source>
@@ -5853,7 +5853,7 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值</translation>
     </message>
     <message>
         <source>Mean (m)</source>
@@ -5961,7 +5961,7 @@
     </message>
     <message>
         <source>Other figures</source>
-        <translation type="unfinished"></translation>
+        <translation>其他数值</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -5981,19 +5981,19 @@
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>物体</translation>
     </message>
     <message>
         <source>Parts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场物体</translation>
     </message>
     <message>
         <source>Parts were separated in the clouds by what hangs together, or by hand. Their sizes are those of the upright box round all of their points, noise included: they help to tell the parts apart and are no measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>点云中的物体是按点是否相连或由人工分离的。其尺寸是包围其全部点（包括噪声）的直立长方体的尺寸：仅有助于区分各物体，不是测量结果。</translation>
     </message>
     <message>
         <source>Points</source>
@@ -6001,7 +6001,7 @@
     </message>
     <message>
         <source>Points that do not belong to the scene were taken out of it before anything was fitted or measured. The files are unchanged; the fused cloud holds these points, too, with the flag “withheld”, so that anyone can put them back and see what was taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>不属于现场的点在拟合和测量之前已从现场中移除。文件未作改动；融合点云也包含这些点，并带有“保留点”(withheld) 标志，因此任何人都可以将其放回，并查看移除了什么。</translation>
     </message>
     <message>
         <source>Points with a counterpart</source>
@@ -6057,7 +6057,7 @@
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值</translation>
     </message>
     <message>
         <source>Registration</source>
@@ -6093,7 +6093,7 @@
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Role</source>
@@ -6125,7 +6125,7 @@
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>灵敏度</translation>
     </message>
     <message>
         <source>Sensor noise assumed for each scan</source>
@@ -6149,7 +6149,7 @@
     </message>
     <message>
         <source>Share (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>比例 (%)</translation>
     </message>
     <message>
         <source>Site (WGS 84)</source>
@@ -6165,7 +6165,7 @@
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Stage</source>
@@ -6181,7 +6181,7 @@
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -6217,7 +6217,7 @@
     </message>
     <message>
         <source>The budgets below list what the uncertainty of each object’s main figure is made of. The sensitivity says by how much the figure changes when the input does; the share is that of the combined variance u². Those of all figures are in the file uncertainty.csv.</source>
-        <translation type="unfinished"></translation>
+        <translation>以下各不确定度分量表列出每个对象主要数值的不确定度由哪些分量构成。灵敏度表示输入变化时该数值变化多少；比例是在合成方差 u² 中所占的比例。全部数值的分量表见文件 uncertainty.csv。</translation>
     </message>
     <message>
         <source>The case</source>
@@ -6237,7 +6237,7 @@
     </message>
     <message>
         <source>The scale of what %1 measured is verified: it agrees with the known distance at the scene within the tolerance set for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>由%1测得的结果，其比例已核验：与现场的已知距离相符，差值在为其设定的允差之内。</translation>
     </message>
     <message>
         <source>The scan “%1” was fitted to the global cloud; %2 of its points found a counterpart, at a root mean square distance of %3 mm.</source>
@@ -6265,7 +6265,7 @@
     </message>
     <message>
         <source>The survey was not verified: no known distance at the scene was measured with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>本次勘测未经核验：没有测量过现场的已知距离。</translation>
     </message>
     <message>
         <source>The tape itself is read to its last digit only, which gives it a standard uncertainty of that digit divided by the square root of 12. This limits what a relative error can show, most for short objects: here %1 for %2.</source>
@@ -6321,7 +6321,7 @@
     </message>
     <message>
         <source>Tolerance (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>允差 (mm)</translation>
     </message>
     <message>
         <source>Turned (°)</source>
@@ -6329,7 +6329,7 @@
     </message>
     <message>
         <source>Uncertainty of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>各数值的不确定度</translation>
     </message>
     <message>
         <source>Uncertainty of the place (95 %)</source>
@@ -6365,11 +6365,11 @@
     </message>
     <message>
         <source>WARNING: the check against a known distance FAILED for %1. Figures of this report by these methods must not be relied on until the cause is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>警告：%1未通过已知距离核验！在查明原因之前，不得采信本报告中由这些方法得出的数值。</translation>
     </message>
     <message>
         <source>WARNING: the check against a known distance FAILED for %1. Figures of this report by this method must not be relied on until the cause is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>警告：%1未通过已知距离核验！在查明原因之前，不得采信本报告中由此方法得出的数值。</translation>
     </message>
     <message>
         <source>Way</source>
@@ -6377,11 +6377,11 @@
     </message>
     <message>
         <source>What %1 measured was not verified: no known distance at the scene was measured with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>由%1测得的结果未经核验：没有用它测量过现场的已知距离。</translation>
     </message>
     <message>
         <source>What was taken out of the clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>从点云中移除的内容</translation>
     </message>
     <message>
         <source>Why</source>
@@ -6389,7 +6389,7 @@
     </message>
     <message>
         <source>Width (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>宽度 (m)</translation>
     </message>
     <message>
         <source>and</source>
@@ -6417,7 +6417,7 @@
     </message>
     <message>
         <source>in all</source>
-        <translation type="unfinished"></translation>
+        <translation>合计</translation>
     </message>
     <message>
         <source>it %1</source>
@@ -6425,7 +6425,7 @@
     </message>
     <message>
         <source>known distance failed: %1 by %2 is %3 m and was measured as %4 m, %5 mm off where %6 mm are allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离核验未通过：%1（%2）为 %3 m，测得 %4 m，相差 %5 mm，允许 %6 mm</translation>
     </message>
     <message>
         <source>largest (m)</source>
@@ -6461,7 +6461,7 @@
     </message>
     <message>
         <source>of %1 points, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>共 %1 个点，占 %2</translation>
     </message>
     <message>
         <source>one of every %1 points</source>
@@ -6477,11 +6477,11 @@
     </message>
     <message>
         <source>u of the figure</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的 u</translation>
     </message>
     <message>
         <source>u of the input</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的 u</translation>
     </message>
     <message>
         <source>up to %1 m and %2°</source>
@@ -6500,23 +6500,23 @@
     </message>
     <message>
         <source>%1 fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（拟合）</translation>
     </message>
     <message>
         <source>%1 is no length: '%2'</source>
-        <translation type="unfinished"></translation>
+        <translation>%1不是长度：“%2”</translation>
     </message>
     <message>
         <source>%1 repeat left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次测量略去：%2</translation>
     </message>
     <message>
         <source>%1 repeats left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次测量略去：%2</translation>
     </message>
     <message>
         <source>%1 repeats left out: no feature was fitted at either end</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次测量略去：两端均未拟合出特征</translation>
     </message>
     <message>
         <source>%1 repeats left out: their ends lie on layers that are not registered to each other</source>
@@ -6528,7 +6528,7 @@
     </message>
     <message>
         <source>%1' is no kind of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>%1”不是测量种类</translation>
     </message>
     <message>
         <source>%1: this copy was changed by another program and is not read; the case is what case.db holds</source>
@@ -6540,19 +6540,19 @@
     </message>
     <message>
         <source>%1belong to another file than %2, expected SHA-256 %3, found %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1属于 %2 以外的另一个文件，应为 SHA-256 %3，实为 %4</translation>
     </message>
     <message>
         <source>%1belong to another part of %2, expected %3 points, found %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1属于 %2 的另一部分，应为 %3 个点，实为 %4</translation>
     </message>
     <message>
         <source>'%1' has another tape value here</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”在此处有另一个卷尺值</translation>
     </message>
     <message>
         <source>'%1' is no feature that is fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是可拟合的特征</translation>
     </message>
     <message>
         <source>'%1' is no first pose</source>
@@ -6560,11 +6560,11 @@
     </message>
     <message>
         <source>'%1' is no kind of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是测量种类</translation>
     </message>
     <message>
         <source>'%1' is no kind of object</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是物体种类</translation>
     </message>
     <message>
         <source>'%1' is no role</source>
@@ -6584,7 +6584,7 @@
     </message>
     <message>
         <source>'%1' stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”出现了两次</translation>
     </message>
     <message>
         <source>1 change was not saved (the last: %1, %2)</source>
@@ -6616,7 +6616,7 @@
     </message>
     <message>
         <source>View %1</source>
-        <translation type="unfinished"></translation>
+        <translation>视图 %1</translation>
     </message>
     <message>
         <source>a box [xmin, ymin, zmin, xmax, ymax, zmax]</source>
@@ -6640,7 +6640,7 @@
     </message>
     <message>
         <source>a length is not below 0</source>
-        <translation type="unfinished"></translation>
+        <translation>长度不得小于 0</translation>
     </message>
     <message>
         <source>a number above 0</source>
@@ -6648,7 +6648,7 @@
     </message>
     <message>
         <source>a section box has no such sides</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切框不能有这样的边长</translation>
     </message>
     <message>
         <source>a spacing is not below 0</source>
@@ -6656,11 +6656,11 @@
     </message>
     <message>
         <source>a variance is not below 0</source>
-        <translation type="unfinished"></translation>
+        <translation>方差不得小于 0</translation>
     </message>
     <message>
         <source>a view in perspective has no scale</source>
-        <translation type="unfinished"></translation>
+        <translation>透视视图没有比例尺</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
@@ -6676,7 +6676,7 @@
     </message>
     <message>
         <source>an axis is a unit vector</source>
-        <translation type="unfinished"></translation>
+        <translation>轴应为单位向量</translation>
     </message>
     <message>
         <source>an object</source>
@@ -6692,7 +6692,7 @@
     </message>
     <message>
         <source>call %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 的种类设为%2</translation>
     </message>
     <message>
         <source>case.json beside it is the readable copy of the last saved case</source>
@@ -6704,15 +6704,15 @@
     </message>
     <message>
         <source>change the view '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>更改视图“%1”</translation>
     </message>
     <message>
         <source>check the survey by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>用 %1 核验勘测</translation>
     </message>
     <message>
         <source>clean the layer anew, or take &quot;cleaning&quot; out of the case</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新清理该图层，或从案件中去掉 &quot;cleaning&quot;</translation>
     </message>
     <message>
         <source>edits that were made before are offered when the program starts</source>
@@ -6720,11 +6720,11 @@
     </message>
     <message>
         <source>expected &quot; at its end</source>
-        <translation type="unfinished"></translation>
+        <translation>末尾应有 &quot;</translation>
     </message>
     <message>
         <source>expected &quot;gap length gap length ...&quot;, whole numbers with one space between</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 &quot;间隔 长度 间隔 长度 ...&quot;，均为整数，以一个空格分隔</translation>
     </message>
     <message>
         <source>expected %1 or auto</source>
@@ -6736,11 +6736,11 @@
     </message>
     <message>
         <source>expected 64 lower-case hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 64 位小写十六进制数字</translation>
     </message>
     <message>
         <source>expected OBJECT | LAYER | REPEAT | a or b, as in the lines above</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 OBJECT | LAYER | REPEAT | a 或 b，与上面各行相同</translation>
     </message>
     <message>
         <source>expected [[x,y,z],[x,y,z]] or {&quot;a&quot;: [layer, [x,y,z]], &quot;b&quot;: [layer, [x,y,z]]}</source>
@@ -6748,7 +6748,7 @@
     </message>
     <message>
         <source>expected a and b of each pair, p1 to the last of each path</source>
-        <translation type="unfinished"></translation>
+        <translation>应为每对的 a 和 b，每条路径的 p1 至最后一点</translation>
     </message>
     <message>
         <source>expected a direction to look in</source>
@@ -6756,7 +6756,7 @@
     </message>
     <message>
         <source>expected a parallel camera, or no scale</source>
-        <translation type="unfinished"></translation>
+        <translation>应为平行投影相机，或不给比例尺</translation>
     </message>
     <message>
         <source>expected accepted, doubtful, failed or ambiguous</source>
@@ -6788,7 +6788,7 @@
     </message>
     <message>
         <source>expected each end once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个端点应只出现一次</translation>
     </message>
     <message>
         <source>expected each key once</source>
@@ -6796,7 +6796,7 @@
     </message>
     <message>
         <source>expected fewer points than it has</source>
-        <translation type="unfinished"></translation>
+        <translation>点数应少于其原有点数</translation>
     </message>
     <message>
         <source>expected gradient, step, predicted-decrease, iteration-limit or no-overlap</source>
@@ -6812,11 +6812,11 @@
     </message>
     <message>
         <source>expected metres above 0 with '.', or nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>应为大于 0 的米数，小数点用“.”，或留空</translation>
     </message>
     <message>
         <source>expected metres above 0, up to 1e7</source>
-        <translation type="unfinished"></translation>
+        <translation>应为大于 0 的米数，不超过 1e7</translation>
     </message>
     <message>
         <source>expected names that differ</source>
@@ -6828,7 +6828,7 @@
     </message>
     <message>
         <source>expected point, plane, edge, corner, highest, lowest, circle or centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 point、plane、edge、corner、highest、lowest、circle 或 centroid</translation>
     </message>
     <message>
         <source>expected radians below pi</source>
@@ -6836,7 +6836,7 @@
     </message>
     <message>
         <source>expected that of line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>应为第 %1 行的值</translation>
     </message>
     <message>
         <source>expected the id of a layer</source>
@@ -6844,7 +6844,7 @@
     </message>
     <message>
         <source>expected two points for each repeat, one after the other</source>
-        <translation type="unfinished"></translation>
+        <translation>每次测量应为两个点，依次排列</translation>
     </message>
     <message>
         <source>expected up to 1e10</source>
@@ -6852,11 +6852,11 @@
     </message>
     <message>
         <source>expected vehicle, debris, vegetation, ground or other</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 vehicle、debris、vegetation、ground 或 other</translation>
     </message>
     <message>
         <source>expected x,y,z or index,x,y,z or label,x,y,z, decimal numbers with '.', parted by comma, semicolon, tab or blanks</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 x,y,z 或 index,x,y,z 或 label,x,y,z，小数点用“.”，以逗号、分号、制表符或空格分隔</translation>
     </message>
     <message>
         <source>expected {&quot;picks&quot;: CSV}, {&quot;pose&quot;: [16], &quot;scale&quot;: 0.001}, &quot;auto&quot; or &quot;identity&quot;</source>
@@ -6868,15 +6868,15 @@
     </message>
     <message>
         <source>forget %1</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表中去掉 %1</translation>
     </message>
     <message>
         <source>forget some of the parts of the scene, or bring points back</source>
-        <translation type="unfinished"></translation>
+        <translation>请从列表中去掉一些现场物体，或恢复一些点</translation>
     </message>
     <message>
         <source>hide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏 %1</translation>
     </message>
     <message>
         <source>hide layer '%1'</source>
@@ -6884,11 +6884,11 @@
     </message>
     <message>
         <source>hide the layer, or remove it from the case</source>
-        <translation type="unfinished"></translation>
+        <translation>请隐藏该图层，或将其从案件中移除</translation>
     </message>
     <message>
         <source>index of what is left</source>
-        <translation type="unfinished"></translation>
+        <translation>其余点的索引</translation>
     </message>
     <message>
         <source>inputs are only ever read; expected: another name</source>
@@ -6904,11 +6904,11 @@
     </message>
     <message>
         <source>length, width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>长、宽、高</translation>
     </message>
     <message>
         <source>move pick %1, repeat %2</source>
-        <translation type="unfinished"></translation>
+        <translation>移动点选 %1，第 %2 次</translation>
     </message>
     <message>
         <source>no case of Vestige has it: it was put there to harm; case.json beside it is readable</source>
@@ -6916,7 +6916,7 @@
     </message>
     <message>
         <source>no column is called object</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名为 object 的列</translation>
     </message>
     <message>
         <source>no folder can be made for a copy of the case</source>
@@ -6924,7 +6924,7 @@
     </message>
     <message>
         <source>no longer check the survey by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不再用 %1 核验勘测</translation>
     </message>
     <message>
         <source>none of the states that were kept here can be read</source>
@@ -6932,7 +6932,7 @@
     </message>
     <message>
         <source>not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>未测量</translation>
     </message>
     <message>
         <source>not measured with this method</source>
@@ -6940,7 +6940,7 @@
     </message>
     <message>
         <source>not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>未核验</translation>
     </message>
     <message>
         <source>nothing has been saved here yet</source>
@@ -6948,15 +6948,15 @@
     </message>
     <message>
         <source>nothing is left of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>该图层没有剩余的点</translation>
     </message>
     <message>
         <source>nothing would be left of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>该图层将没有剩余的点</translation>
     </message>
     <message>
         <source>one repeat only</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一次测量</translation>
     </message>
     <message>
         <source>one repeat only, so no uncertainty</source>
@@ -6972,7 +6972,7 @@
     </message>
     <message>
         <source>picked on a layer which this case does not have</source>
-        <translation type="unfinished"></translation>
+        <translation>在本案件没有的图层上点选</translation>
     </message>
     <message>
         <source>position and focal point coincide</source>
@@ -7008,19 +7008,19 @@
     </message>
     <message>
         <source>rename %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 重命名为 %2</translation>
     </message>
     <message>
         <source>rename the view '%1' to '%2'</source>
-        <translation type="unfinished"></translation>
+        <translation>将视图“%1”重命名为“%2”</translation>
     </message>
     <message>
         <source>repeat %1 of '%2' lacks an end</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”的第 %1 次测量缺少一个端点</translation>
     </message>
     <message>
         <source>run %1 is empty or touches the one before it</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 段为空或与前一段相接</translation>
     </message>
     <message>
         <source>save it under another name</source>
@@ -7028,15 +7028,15 @@
     </message>
     <message>
         <source>save the view '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图“%1”</translation>
     </message>
     <message>
         <source>set %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>设定 %2 的 %1</translation>
     </message>
     <message>
         <source>set the kind of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>设定 %1 的种类</translation>
     </message>
     <message>
         <source>set the tape of %1</source>
@@ -7044,7 +7044,7 @@
     </message>
     <message>
         <source>show %1</source>
-        <translation type="unfinished"></translation>
+        <translation>显示 %1</translation>
     </message>
     <message>
         <source>show layer '%1'</source>
@@ -7056,11 +7056,11 @@
     </message>
     <message>
         <source>take its cleaning back first</source>
-        <translation type="unfinished"></translation>
+        <translation>请先撤回其清理</translation>
     </message>
     <message>
         <source>taking points out</source>
-        <translation type="unfinished"></translation>
+        <translation>正在移除点</translation>
     </message>
     <message>
         <source>the JSON holds more values than any case</source>
@@ -7096,7 +7096,7 @@
     </message>
     <message>
         <source>the case would hold %1 MB, more than the %2 MB that are read again</source>
-        <translation type="unfinished"></translation>
+        <translation>案件将有 %1 MB，超过可重新读取的 %2 MB</translation>
     </message>
     <message>
         <source>the case's database answers: %1</source>
@@ -7112,7 +7112,7 @@
     </message>
     <message>
         <source>the covariance xx, xy, xz, yy, yz, zz</source>
-        <translation type="unfinished"></translation>
+        <translation>协方差 xx、xy、xz、yy、yz、zz</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -7136,19 +7136,19 @@
     </message>
     <message>
         <source>the kind %1 has no setting '%2'</source>
-        <translation type="unfinished"></translation>
+        <translation>种类 %1 没有设置“%2”</translation>
     </message>
     <message>
         <source>the label is '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>标签为“%1”</translation>
     </message>
     <message>
         <source>the last of %1 points has no partner</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点中的最后一个没有配对点</translation>
     </message>
     <message>
         <source>the layer is not loaded yet</source>
-        <translation type="unfinished"></translation>
+        <translation>该图层尚未载入</translation>
     </message>
     <message>
         <source>the lock of this case cannot be had</source>
@@ -7160,11 +7160,11 @@
     </message>
     <message>
         <source>the object has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>该对象没有名称</translation>
     </message>
     <message>
         <source>the path has %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>该路径有 %1 个点</translation>
     </message>
     <message>
         <source>the path holds a zero byte</source>
@@ -7172,7 +7172,7 @@
     </message>
     <message>
         <source>the paths have more than %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>各路径的点超过 %1 个</translation>
     </message>
     <message>
         <source>the point is farther from 0 than any place on Earth</source>
@@ -7180,31 +7180,31 @@
     </message>
     <message>
         <source>the points taken out of layer '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>从图层“%1”移除的点</translation>
     </message>
     <message>
         <source>the reference is not known four times better than the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值的不确定度大于允差的四分之一</translation>
     </message>
     <message>
         <source>the runs end with a space</source>
-        <translation type="unfinished"></translation>
+        <translation>各段以空格结尾</translation>
     </message>
     <message>
         <source>the runs end within a pair</source>
-        <translation type="unfinished"></translation>
+        <translation>各段在一对数的中间结束</translation>
     </message>
     <message>
         <source>the runs reach beyond the layer's %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>各段超出该图层的 %1 个点</translation>
     </message>
     <message>
         <source>the tape value</source>
-        <translation type="unfinished"></translation>
+        <translation>卷尺值</translation>
     </message>
     <message>
         <source>the tape's resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>卷尺的分辨力</translation>
     </message>
     <message>
         <source>the text is empty</source>
@@ -7212,11 +7212,11 @@
     </message>
     <message>
         <source>the uncertainty of the measured length, %1 mm, is larger than the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>测量长度的不确定度 %1 mm 大于允差</translation>
     </message>
     <message>
         <source>their points lie on layers that are not registered to each other</source>
-        <translation type="unfinished"></translation>
+        <translation>其各点所在的图层未相互配准</translation>
     </message>
     <message>
         <source>there are %1 bins here</source>
@@ -7236,19 +7236,19 @@
     </message>
     <message>
         <source>there are no points</source>
-        <translation type="unfinished"></translation>
+        <translation>没有点</translation>
     </message>
     <message>
         <source>there are no points here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有点</translation>
     </message>
     <message>
         <source>there are no rows</source>
-        <translation type="unfinished"></translation>
+        <translation>没有行</translation>
     </message>
     <message>
         <source>there are no rows below the header</source>
-        <translation type="unfinished"></translation>
+        <translation>表头以下没有行</translation>
     </message>
     <message>
         <source>there is %1 here</source>
@@ -7256,7 +7256,7 @@
     </message>
     <message>
         <source>there is no number of points at character %1 of the runs</source>
-        <translation type="unfinished"></translation>
+        <translation>各段的第 %1 个字符处没有点数</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
@@ -7264,7 +7264,7 @@
     </message>
     <message>
         <source>there is one cell</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个单元格</translation>
     </message>
     <message>
         <source>this case has been open in another window since %1 (%2 on %3, process %4)</source>
@@ -7304,7 +7304,7 @@
     </message>
     <message>
         <source>this is not below 0</source>
-        <translation type="unfinished"></translation>
+        <translation>此值不得小于 0</translation>
     </message>
     <message>
         <source>this journal names another file, which would be deleted</source>
@@ -7312,11 +7312,11 @@
     </message>
     <message>
         <source>this kind needs %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>此种类需要 %1 个点</translation>
     </message>
     <message>
         <source>this kind needs %1 points or more</source>
-        <translation type="unfinished"></translation>
+        <translation>此种类需要 %1 个或更多的点</translation>
     </message>
     <message>
         <source>this would replace a file of the layer '%1'</source>
@@ -7336,11 +7336,11 @@
     </message>
     <message>
         <source>two objects are called '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个物体名为“%1”</translation>
     </message>
     <message>
         <source>two saved views are called '%1'</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个已保存的视图名为“%1”</translation>
     </message>
     <message>
         <source>undo the registration of layer '%1'</source>
@@ -7352,7 +7352,7 @@
     </message>
     <message>
         <source>wait until all of its points are read</source>
-        <translation type="unfinished"></translation>
+        <translation>请等到其全部点读取完毕</translation>
     </message>
 </context>
 <context>
@@ -7375,7 +7375,7 @@
     </message>
     <message>
         <source>&amp;Box</source>
-        <translation type="unfinished"></translation>
+        <translation>方框(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Checkerboard</source>
@@ -7383,11 +7383,11 @@
     </message>
     <message>
         <source>&amp;Clean panel</source>
-        <translation type="unfinished"></translation>
+        <translation>清理面板(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Clear selection</source>
-        <translation type="unfinished"></translation>
+        <translation>清除选择(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Compare</source>
@@ -7395,7 +7395,7 @@
     </message>
     <message>
         <source>&amp;Copy table</source>
-        <translation type="unfinished"></translation>
+        <translation>复制表格(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
@@ -7403,7 +7403,7 @@
     </message>
     <message>
         <source>&amp;Edge</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -7423,7 +7423,7 @@
     </message>
     <message>
         <source>&amp;Forget the part</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表中去掉物体(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Front</source>
@@ -7435,23 +7435,23 @@
     </message>
     <message>
         <source>&amp;Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最高点(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;History</source>
-        <translation type="unfinished"></translation>
+        <translation>历史记录(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>水平距离(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Import picks…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入点选(&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;Invert selection</source>
-        <translation type="unfinished"></translation>
+        <translation>反向选择(&amp;I)</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -7459,19 +7459,19 @@
     </message>
     <message>
         <source>&amp;Keep only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅保留所选(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>键盘快捷键(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Known distance</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>套索(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Left</source>
@@ -7479,7 +7479,7 @@
     </message>
     <message>
         <source>&amp;Make object</source>
-        <translation type="unfinished"></translation>
+        <translation>生成物体(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -7491,7 +7491,7 @@
     </message>
     <message>
         <source>&amp;Move picks</source>
-        <translation type="unfinished"></translation>
+        <translation>移动点选(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;New case</source>
@@ -7499,7 +7499,7 @@
     </message>
     <message>
         <source>&amp;Next snap</source>
-        <translation type="unfinished"></translation>
+        <translation>下一种捕捉(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
@@ -7511,7 +7511,7 @@
     </message>
     <message>
         <source>&amp;Orthographic</source>
-        <translation type="unfinished"></translation>
+        <translation>正交投影(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Perspective</source>
@@ -7519,11 +7519,11 @@
     </message>
     <message>
         <source>&amp;Picks</source>
-        <translation type="unfinished"></translation>
+        <translation>点选(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Point to plane</source>
-        <translation type="unfinished"></translation>
+        <translation>点到平面(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Preview refused pose</source>
@@ -7543,11 +7543,11 @@
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Responsiveness</source>
-        <translation type="unfinished"></translation>
+        <translation>响应情况(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Save case</source>
@@ -7555,7 +7555,7 @@
     </message>
     <message>
         <source>&amp;Separate objects</source>
-        <translation type="unfinished"></translation>
+        <translation>分离物体(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Smaller points</source>
@@ -7587,7 +7587,7 @@
     </message>
     <message>
         <source>&amp;User guide</source>
-        <translation type="unfinished"></translation>
+        <translation>用户指南(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Verify evidence</source>
@@ -7595,7 +7595,7 @@
     </message>
     <message>
         <source>&amp;Vertical height</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直高度(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -7607,47 +7607,47 @@
     </message>
     <message>
         <source>A grid in metres, on the ground or over a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>以米为单位的网格，位于地面上或平面图上。</translation>
     </message>
     <message>
         <source>A magnified picture of the place that a click would take.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击将选取位置的放大图。</translation>
     </message>
     <message>
         <source>A pick is the centre of the circle on whose rim it lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选所在圆周的圆心。</translation>
     </message>
     <message>
         <source>A pick is the centroid of the points round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选周围各点的质心。</translation>
     </message>
     <message>
         <source>A pick is the corner where three planes meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选三个平面相交的角点。</translation>
     </message>
     <message>
         <source>A pick is the highest place of what lies round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选附近的最高点。</translation>
     </message>
     <message>
         <source>A pick is the lowest place of what lies round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选附近的最低点。</translation>
     </message>
     <message>
         <source>A pick is the measured point under the cursor.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选光标下的测量点。</translation>
     </message>
     <message>
         <source>A pick lies on the edge where two planes meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选位于两个平面相交的边缘上。</translation>
     </message>
     <message>
         <source>A pick lies on the plane through the points round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选位于由其周围各点确定的平面上。</translation>
     </message>
     <message>
         <source>A&amp;rc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧(&amp;R)</translation>
     </message>
     <message>
         <source>Add an object to measure.</source>
@@ -7667,11 +7667,11 @@
     </message>
     <message>
         <source>An&amp;gle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度(&amp;G)</translation>
     </message>
     <message>
         <source>Ar&amp;ea</source>
-        <translation type="unfinished"></translation>
+        <translation>面积(&amp;E)</translation>
     </message>
     <message>
         <source>Arrows along the ways to move that the data do not hold.</source>
@@ -7679,7 +7679,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>后视</translation>
     </message>
     <message>
         <source>Back to the &amp;plain view</source>
@@ -7695,67 +7695,67 @@
     </message>
     <message>
         <source>Bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>仰视</translation>
     </message>
     <message>
         <source>Bring &amp;back removed points</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复已移除的点(&amp;B)</translation>
     </message>
     <message>
         <source>C&amp;ircle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆(&amp;I)</translation>
     </message>
     <message>
         <source>C&amp;ircle centre</source>
-        <translation type="unfinished"></translation>
+        <translation>圆心(&amp;I)</translation>
     </message>
     <message>
         <source>C&amp;lean</source>
-        <translation type="unfinished"></translation>
+        <translation>清理(&amp;L)</translation>
     </message>
     <message>
         <source>C&amp;orner</source>
-        <translation type="unfinished"></translation>
+        <translation>角点(&amp;O)</translation>
     </message>
     <message>
         <source>Case an&amp;d report</source>
-        <translation type="unfinished"></translation>
+        <translation>案件与报告(&amp;D)</translation>
     </message>
     <message>
         <source>Cen&amp;troid</source>
-        <translation type="unfinished"></translation>
+        <translation>质心(&amp;T)</translation>
     </message>
     <message>
         <source>Choose the colours and from where to where they run.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择颜色及其起止范围。</translation>
     </message>
     <message>
         <source>Click a point, then three or more of a plane; the distance between them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击一个点，再单击平面上的三个或更多点；测量两者之间的距离。</translation>
     </message>
     <message>
         <source>Click along a line, such as a skid mark; its length is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿一条线（例如制动印痕）单击；测量其长度。</translation>
     </message>
     <message>
         <source>Click along an arc, such as a yaw mark; its radius and, with a drag factor, the speed are found.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿圆弧（例如侧滑印痕）单击；求得其半径，给出附着系数时还求得速度。</translation>
     </message>
     <message>
         <source>Click both ends of a line; the heights of the cloud along it are shown and measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击一条线的两端；显示并测量点云沿该线的高程。</translation>
     </message>
     <message>
         <source>Click points of a rim; the diameter of the circle through them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击圆周上的点；测量通过这些点的圆的直径。</translation>
     </message>
     <message>
         <source>Click round an outline; the area within is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轮廓单击一圈；测量其中的面积。</translation>
     </message>
     <message>
         <source>Click round an outline; the space between the cloud and the plane through it is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轮廓单击一圈；测量点云与通过该轮廓的平面之间的空间。</translation>
     </message>
     <message>
         <source>Click the two ends of an object; three repeats make a measurement.</source>
@@ -7763,27 +7763,27 @@
     </message>
     <message>
         <source>Click three points of one plane and three or more of another; distance and angle are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击一个平面上的三个点和另一个平面上的三个或更多点；测量距离和夹角。</translation>
     </message>
     <message>
         <source>Click three points; the angle at the second is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击三个点；测量第二个点处的角度。</translation>
     </message>
     <message>
         <source>Click two points; the level part of the way between them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击两个点；测量两点之间路径的水平分量。</translation>
     </message>
     <message>
         <source>Click two points; the upright part of the way between them is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击两个点；测量两点之间路径的竖直分量。</translation>
     </message>
     <message>
         <source>Click two undamaged ends, then along the damage; the depths C1 to C6 are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击两个未损坏的端点，再沿损坏部分单击；测量深度 C1 至 C6。</translation>
     </message>
     <message>
         <source>Click what an upright box is to reach; its length, width and height are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击直立长方体应到达的各点；测量其长、宽、高。</translation>
     </message>
     <message>
         <source>Close the program.</source>
@@ -7799,7 +7799,7 @@
     </message>
     <message>
         <source>Colour by &amp;class</source>
-        <translation type="unfinished"></translation>
+        <translation>按类别着色(&amp;C)</translation>
     </message>
     <message>
         <source>Colour by &amp;distance to target</source>
@@ -7823,11 +7823,11 @@
     </message>
     <message>
         <source>Colours and range…</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色与范围…</translation>
     </message>
     <message>
         <source>Colours for ground, vegetation, buildings and the other classes that LAS files have.</source>
-        <translation type="unfinished"></translation>
+        <translation>地面、植被、建筑物以及 LAS 文件所含其他类别的颜色。</translation>
     </message>
     <message>
         <source>Compare registered layers at their first pose with where they lie now.</source>
@@ -7839,23 +7839,23 @@
     </message>
     <message>
         <source>Copy &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>复制视图(&amp;V)</translation>
     </message>
     <message>
         <source>Copy the picture of the view to the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>将视图的图片复制到剪贴板。</translation>
     </message>
     <message>
         <source>Copy the selected rows of a table, or all of the measurements, with headings and units.</source>
-        <translation type="unfinished"></translation>
+        <translation>复制表格的所选行或全部测量结果，包括标题和单位。</translation>
     </message>
     <message>
         <source>Cr&amp;ush profile</source>
-        <translation type="unfinished"></translation>
+        <translation>变形断面(&amp;U)</translation>
     </message>
     <message>
         <source>Cross-&amp;section</source>
-        <translation type="unfinished"></translation>
+        <translation>断面(&amp;S)</translation>
     </message>
     <message>
         <source>Do again what was undone.</source>
@@ -7863,7 +7863,7 @@
     </message>
     <message>
         <source>Drag the ends of the selected object, or nudge them with the arrow keys, without the measuring tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>不用测量工具，拖动所选对象的端点，或用方向键微调。</translation>
     </message>
     <message>
         <source>Draw points larger.</source>
@@ -7887,7 +7887,7 @@
     </message>
     <message>
         <source>Every step of the case; a click goes there.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件的每一步；单击即转到该步。</translation>
     </message>
     <message>
         <source>Export &amp;measurements…</source>
@@ -7899,19 +7899,19 @@
     </message>
     <message>
         <source>Export pic&amp;ks…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出点选(&amp;K)…</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation type="unfinished"></translation>
+        <translation>全屏(&amp;U)</translation>
     </message>
     <message>
         <source>Fill every view with all there is, or with the section.</source>
-        <translation type="unfinished"></translation>
+        <translation>使所有内容或剖切框充满每个视图。</translation>
     </message>
     <message>
         <source>Fill the view with the chosen part of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>使所选的现场物体充满视图。</translation>
     </message>
     <message>
         <source>Fill the view with the selected layer, else with the one whose registration is described.</source>
@@ -7919,11 +7919,11 @@
     </message>
     <message>
         <source>Find &amp;ground</source>
-        <translation type="unfinished"></translation>
+        <translation>查找地面(&amp;G)</translation>
     </message>
     <message>
         <source>Find &amp;outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>查找离群点(&amp;O)</translation>
     </message>
     <message>
         <source>Find where the selected layer belongs, whatever its first pose and unit, and register it there.</source>
@@ -7935,15 +7935,15 @@
     </message>
     <message>
         <source>Fo&amp;ur views</source>
-        <translation type="unfinished"></translation>
+        <translation>四视图(&amp;U)</translation>
     </message>
     <message>
         <source>Forget the cleaning of the selected layer, or of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>取消所选图层或所有图层的清理。</translation>
     </message>
     <message>
         <source>From above, from the front, from the left, and the view there was; a click makes one active.</source>
-        <translation type="unfinished"></translation>
+        <translation>俯视、前视、左视和原有视图；单击其一使其成为活动视图。</translation>
     </message>
     <message>
         <source>Go back to the case as it was saved.</source>
@@ -7955,7 +7955,7 @@
     </message>
     <message>
         <source>Gri&amp;d</source>
-        <translation type="unfinished"></translation>
+        <translation>网格(&amp;D)</translation>
     </message>
     <message>
         <source>Hash every file again and compare with what was read (SHA-256).</source>
@@ -7963,19 +7963,19 @@
     </message>
     <message>
         <source>Imp&amp;ort panel</source>
-        <translation type="unfinished"></translation>
+        <translation>导入面板(&amp;O)</translation>
     </message>
     <message>
         <source>Import ta&amp;pe values…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入卷尺值(&amp;P)…</translation>
     </message>
     <message>
         <source>In perspective near points are drawn larger than far ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>透视时近处的点画得比远处的大。</translation>
     </message>
     <message>
         <source>Keep this view in the case under a name, for you and the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>将此视图以一个名称保存在案件中，供您和报告使用。</translation>
     </message>
     <message>
         <source>L&amp;arger points</source>
@@ -7983,19 +7983,19 @@
     </message>
     <message>
         <source>Left turns, middle or Shift and left move, wheel and right zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>左键旋转，中键或 Shift 加左键移动，滚轮和右键缩放。</translation>
     </message>
     <message>
         <source>Left turns, right moves, wheel and middle zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>左键旋转，右键移动，滚轮和中键缩放。</translation>
     </message>
     <message>
         <source>Left turns, right or middle moves, the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>左键旋转，右键或中键移动，滚轮缩放。</translation>
     </message>
     <message>
         <source>Level slab</source>
-        <translation type="unfinished"></translation>
+        <translation>水平薄片</translation>
     </message>
     <message>
         <source>Light bac&amp;kground</source>
@@ -8003,23 +8003,23 @@
     </message>
     <message>
         <source>List what stands on the ground as objects: vehicles, debris, poles.</source>
-        <translation type="unfinished"></translation>
+        <translation>将立在地面上的东西列为物体：车辆、散落物、立杆。</translation>
     </message>
     <message>
         <source>Lo&amp;upe</source>
-        <translation type="unfinished"></translation>
+        <translation>放大镜(&amp;U)</translation>
     </message>
     <message>
         <source>Lo&amp;west</source>
-        <translation type="unfinished"></translation>
+        <translation>最低点(&amp;W)</translation>
     </message>
     <message>
         <source>Local p&amp;lane</source>
-        <translation type="unfinished"></translation>
+        <translation>局部平面(&amp;L)</translation>
     </message>
     <message>
         <source>Look &amp;at the part</source>
-        <translation type="unfinished"></translation>
+        <translation>查看物体(&amp;A)</translation>
     </message>
     <message>
         <source>Look at the la&amp;yer</source>
@@ -8031,11 +8031,11 @@
     </message>
     <message>
         <source>Make the section box hold all there is.</source>
-        <translation type="unfinished"></translation>
+        <translation>使剖切框容纳所有内容。</translation>
     </message>
     <message>
         <source>Measure how long the window takes to answer, and tell what held it longest.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量窗口响应所需的时间，并指出什么占用窗口最久。</translation>
     </message>
     <message>
         <source>Measurements and their errors.</source>
@@ -8043,39 +8043,39 @@
     </message>
     <message>
         <source>Mouse as in CloudCompare</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标操作同 CloudCompare</translation>
     </message>
     <message>
         <source>Mouse as in Slicer and F3D</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标操作同 Slicer 和 F3D</translation>
     </message>
     <message>
         <source>Mouse as in Vestige</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标操作同 Vestige</translation>
     </message>
     <message>
         <source>Move the slab by its thickness against its axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>将薄片逆其轴向移动一个厚度。</translation>
     </message>
     <message>
         <source>Move the slab by its thickness along its axis; Ctrl and wheel do so, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>将薄片沿其轴向移动一个厚度；Ctrl 加滚轮亦可。</translation>
     </message>
     <message>
         <source>Name the selected points as an object of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选的点命名为现场物体。</translation>
     </message>
     <message>
         <source>Near points larger</source>
-        <translation type="unfinished"></translation>
+        <translation>近处的点较大</translation>
     </message>
     <message>
         <source>Nearest &amp;point</source>
-        <translation type="unfinished"></translation>
+        <translation>最近点(&amp;P)</translation>
     </message>
     <message>
         <source>North arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>指北针</translation>
     </message>
     <message>
         <source>Open a case (case.json or .vestige).</source>
@@ -8083,27 +8083,27 @@
     </message>
     <message>
         <source>Open sample &amp;case</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例案件(&amp;C)</translation>
     </message>
     <message>
         <source>Open the sample scene; where it is not there yet, it is simulated first (some minutes).</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例现场；尚不存在时先进行模拟（需数分钟）。</translation>
     </message>
     <message>
         <source>Parallel lines stay parallel, from any direction; off: perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>从任何方向看平行线都保持平行；关闭时：透视。</translation>
     </message>
     <message>
         <source>Picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>图片…</translation>
     </message>
     <message>
         <source>Plane to pla&amp;ne</source>
-        <translation type="unfinished"></translation>
+        <translation>平面到平面(&amp;N)</translation>
     </message>
     <message>
         <source>Po&amp;lyline</source>
-        <translation type="unfinished"></translation>
+        <translation>折线(&amp;L)</translation>
     </message>
     <message>
         <source>Put the selected layer back to where its file has it.</source>
@@ -8147,15 +8147,15 @@
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>右视</translation>
     </message>
     <message>
         <source>Sa&amp;ve view</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图(&amp;V)</translation>
     </message>
     <message>
         <source>Save a picture of the view, of any size or true to scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图的图片，可为任意尺寸或按比例尺。</translation>
     </message>
     <message>
         <source>Save case &amp;as…</source>
@@ -8163,7 +8163,7 @@
     </message>
     <message>
         <source>Save shortcut &amp;sheet…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存快捷键表(&amp;S)…</translation>
     </message>
     <message>
         <source>Save the case under another name.</source>
@@ -8175,43 +8175,43 @@
     </message>
     <message>
         <source>Section bo&amp;x</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切框(&amp;X)</translation>
     </message>
     <message>
         <source>Section round everything</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切框包围全部</translation>
     </message>
     <message>
         <source>Select &amp;points of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>选择物体的点(&amp;P)</translation>
     </message>
     <message>
         <source>Select nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>不选择任何点。</translation>
     </message>
     <message>
         <source>Select points by a rectangle drawn over the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>用在视图上画出的矩形选择点。</translation>
     </message>
     <message>
         <source>Select points by an outline drawn over the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>用在视图上画出的轮廓选择点。</translation>
     </message>
     <message>
         <source>Select the points of the chosen part of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择所选现场物体的点。</translation>
     </message>
     <message>
         <source>Select the points that lie apart from all others, of the selected layer or of all that are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择与所有其他点相分离的点，取自所选图层或所有显示的图层。</translation>
     </message>
     <message>
         <source>Select the surface that everything stands on, of the selected layer or else the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择承载所有物体的表面，取自所选图层，否则取自目标图层。</translation>
     </message>
     <message>
         <source>Select what is shown and not selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择已显示而未选择的点。</translation>
     </message>
     <message>
         <source>Shade edges so that shapes stand out.</source>
@@ -8223,27 +8223,27 @@
     </message>
     <message>
         <source>Show a thin level slab, across the z axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层垂直于 z 轴的水平薄片。</translation>
     </message>
     <message>
         <source>Show a thin slab that faces the view: upright, from above level.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层正对视图的薄片：竖直；从上方观察时为水平。</translation>
     </message>
     <message>
         <source>Show a thin slab upright across the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层垂直于 x 轴的竖直薄片。</translation>
     </message>
     <message>
         <source>Show a thin slab upright across the y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示一层垂直于 y 轴的竖直薄片。</translation>
     </message>
     <message>
         <source>Show all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部</translation>
     </message>
     <message>
         <source>Show all shortcuts, and change them.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示所有快捷键，并可更改。</translation>
     </message>
     <message>
         <source>Show each iteration of a registration in the view and as curves, and keep them to be replayed.</source>
@@ -8255,7 +8255,7 @@
     </message>
     <message>
         <source>Show only what lies in a box, whose faces the mouse can drag; its bar has the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>只显示位于框内的内容，框的各面可用鼠标拖动；其数值在工具条中。</translation>
     </message>
     <message>
         <source>Show registered layers at their first pose.</source>
@@ -8279,11 +8279,11 @@
     </message>
     <message>
         <source>Show the user guide beside the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>在视图旁边显示用户指南。</translation>
     </message>
     <message>
         <source>Show where y points, which is north on a map grid.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示 y 轴的指向，在地图网格上即为北。</translation>
     </message>
     <message>
         <source>Simplified Chinese</source>
@@ -8291,43 +8291,43 @@
     </message>
     <message>
         <source>Slab across x</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于 x 的薄片</translation>
     </message>
     <message>
         <source>Slab across y</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于 y 的薄片</translation>
     </message>
     <message>
         <source>Slab back</source>
-        <translation type="unfinished"></translation>
+        <translation>薄片后移</translation>
     </message>
     <message>
         <source>Slab facing the view</source>
-        <translation type="unfinished"></translation>
+        <translation>正对视图的薄片</translation>
     </message>
     <message>
         <source>Slab on</source>
-        <translation type="unfinished"></translation>
+        <translation>薄片前移</translation>
     </message>
     <message>
         <source>Snap picks to the next kind of feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>将点选捕捉到下一种特征。</translation>
     </message>
     <message>
         <source>Take everything else of these layers out of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些图层的其余各点从现场中移除。</translation>
     </message>
     <message>
         <source>Take objects and what the tape says from a table, or from exported measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>从表格或导出的测量结果中取得对象及其卷尺值。</translation>
     </message>
     <message>
         <source>Take picked points from a list (x,y,z with index or label): each two are a repeat.</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表取得点选的点（x,y,z，带索引或标签）：每两个点为一次测量。</translation>
     </message>
     <message>
         <source>Take points out of the scene, find the ground and what stands on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>从现场中移除点，查找地面及地面上的物体。</translation>
     </message>
     <message>
         <source>Take recorded &amp;aims</source>
@@ -8335,7 +8335,7 @@
     </message>
     <message>
         <source>Take the chosen part out of the list; its points stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选物体从列表中去掉；其点保留。</translation>
     </message>
     <message>
         <source>Take the last change of the case back.</source>
@@ -8355,11 +8355,11 @@
     </message>
     <message>
         <source>Take the selected points out of the scene; the file keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选的点从现场中移除；文件仍保留这些点。</translation>
     </message>
     <message>
         <source>The case's details, what is missing, and what a report writes.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件信息、缺少的内容以及报告将写出的内容。</translation>
     </message>
     <message>
         <source>The colours that the files have.</source>
@@ -8367,7 +8367,7 @@
     </message>
     <message>
         <source>The files of the case and what they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件的文件及其标识。</translation>
     </message>
     <message>
         <source>The other layers are registered to this one.</source>
@@ -8375,15 +8375,15 @@
     </message>
     <message>
         <source>The selected object is a known distance that the survey is checked by; its tape value is the reference.</source>
-        <translation type="unfinished"></translation>
+        <translation>所选对象是用于核验勘测的已知距离；其卷尺值为参考值。</translation>
     </message>
     <message>
         <source>The view turns about the point under the cursor; where there is none, about what is dragged.</source>
-        <translation type="unfinished"></translation>
+        <translation>视图绕光标下的点旋转；该处没有点时，绕所拖动之处旋转。</translation>
     </message>
     <message>
         <source>Turn about the point under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>绕光标下的点旋转</translation>
     </message>
     <message>
         <source>Turn, move and zoom the view.</source>
@@ -8403,7 +8403,7 @@
     </message>
     <message>
         <source>Use the whole screen, or go back.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用整个屏幕，或恢复原状。</translation>
     </message>
     <message>
         <source>Version and what it is built with.</source>
@@ -8415,11 +8415,11 @@
     </message>
     <message>
         <source>View the scene from below.</source>
-        <translation type="unfinished"></translation>
+        <translation>从下方观察现场。</translation>
     </message>
     <message>
         <source>View the scene from the back.</source>
-        <translation type="unfinished"></translation>
+        <translation>从后方观察现场。</translation>
     </message>
     <message>
         <source>View the scene from the front.</source>
@@ -8431,7 +8431,7 @@
     </message>
     <message>
         <source>View the scene from the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>从右侧观察现场。</translation>
     </message>
     <message>
         <source>View the scene in perspective.</source>
@@ -8443,7 +8443,7 @@
     </message>
     <message>
         <source>Volu&amp;me</source>
-        <translation type="unfinished"></translation>
+        <translation>体积(&amp;M)</translation>
     </message>
     <message>
         <source>Watched iteration bac&amp;k</source>
@@ -8475,11 +8475,11 @@
     </message>
     <message>
         <source>Write all picked points as label,x,y,z, which reads back.</source>
-        <translation type="unfinished"></translation>
+        <translation>将所有点选的点写为 label,x,y,z，可重新读入。</translation>
     </message>
     <message>
         <source>Write the shortcuts as a page to print: PDF, HTML or text.</source>
-        <translation type="unfinished"></translation>
+        <translation>将快捷键写成可打印的页面：PDF、HTML 或文本。</translation>
     </message>
     <message>
         <source>Write the table of measurements as CSV.</source>
@@ -8491,7 +8491,7 @@
     </message>
     <message>
         <source>expected a name that ends with .pdf, .html or .txt</source>
-        <translation type="unfinished"></translation>
+        <translation>应为以 .pdf、.html 或 .txt 结尾的名称</translation>
     </message>
     <message>
         <source>first pose of %1</source>
@@ -8507,11 +8507,11 @@
     </message>
     <message>
         <source>the folder of the sample case cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>无法创建示例案件的文件夹</translation>
     </message>
     <message>
         <source>this is no name of a sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是快捷键表的名称</translation>
     </message>
 </context>
 <context>
@@ -8541,7 +8541,7 @@
     </message>
     <message>
         <source>it is saved when the disk answers</source>
-        <translation type="unfinished"></translation>
+        <translation>磁盘响应后即会保存</translation>
     </message>
     <message>
         <source>its changes are recovered as a case without a place</source>
@@ -8569,7 +8569,7 @@
     </message>
     <message>
         <source>the disk has not yet taken the case</source>
-        <translation type="unfinished"></translation>
+        <translation>磁盘尚未写入案件</translation>
     </message>
     <message>
         <source>the disk has not yet taken the changes that were made before</source>
@@ -8665,7 +8665,7 @@
     </message>
     <message>
         <source>%1 at %2 dpi</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2 dpi</translation>
     </message>
     <message>
         <source>+ above or outside, − below or inside</source>
@@ -8673,7 +8673,7 @@
     </message>
     <message>
         <source>, no classes</source>
-        <translation type="unfinished"></translation>
+        <translation>，无类别</translation>
     </message>
     <message>
         <source>, no colour</source>
@@ -8685,11 +8685,11 @@
     </message>
     <message>
         <source>1 to %1 a side, %2 million in all</source>
-        <translation type="unfinished"></translation>
+        <translation>每边应为 1 到 %1，总计不超过 %2 百万</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>类别</translation>
     </message>
     <message>
         <source>Distance to the target's surface</source>
@@ -8697,11 +8697,11 @@
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>前视</translation>
     </message>
     <message>
         <source>Grey: each layer's own range of intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>灰度：各图层自身的强度范围</translation>
     </message>
     <message>
         <source>Height</source>
@@ -8709,27 +8709,27 @@
     </message>
     <message>
         <source>Intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>强度</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>左视</translation>
     </message>
     <message>
         <source>Parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>平行投影</translation>
     </message>
     <message>
         <source>Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>透视</translation>
     </message>
     <message>
         <source>PointClass</source>
-        <translation type="unfinished"></translation>
+        <translation>点类别</translation>
     </message>
     <message>
         <source>Range as typed; the spread is %1 %2 (1 SD)</source>
-        <translation type="unfinished"></translation>
+        <translation>范围按所输入的值；离散度为 %1 %2（1 倍标准差）</translation>
     </message>
     <message>
         <source>Range: 3 × the spread of %1 %2 (1 SD)</source>
@@ -8741,7 +8741,7 @@
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>俯视</translation>
     </message>
     <message>
         <source>a picture of %1 x %2 pixels cannot be drawn</source>
@@ -8749,7 +8749,7 @@
     </message>
     <message>
         <source>as recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>按记录值</translation>
     </message>
     <message>
         <source>at the view's centre</source>
@@ -8757,43 +8757,43 @@
     </message>
     <message>
         <source>bridge deck</source>
-        <translation type="unfinished"></translation>
+        <translation>桥面</translation>
     </message>
     <message>
         <source>grid %1</source>
-        <translation type="unfinished"></translation>
+        <translation>网格 %1</translation>
     </message>
     <message>
         <source>high noise</source>
-        <translation type="unfinished"></translation>
+        <translation>高处噪声</translation>
     </message>
     <message>
         <source>high vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>高植被</translation>
     </message>
     <message>
         <source>ignored ground</source>
-        <translation type="unfinished"></translation>
+        <translation>忽略的地面</translation>
     </message>
     <message>
         <source>low noise</source>
-        <translation type="unfinished"></translation>
+        <translation>低处噪声</translation>
     </message>
     <message>
         <source>low vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>低植被</translation>
     </message>
     <message>
         <source>medium vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>中等植被</translation>
     </message>
     <message>
         <source>model key point</source>
-        <translation type="unfinished"></translation>
+        <translation>模型关键点</translation>
     </message>
     <message>
         <source>never classified</source>
-        <translation type="unfinished"></translation>
+        <translation>从未分类</translation>
     </message>
     <message>
         <source>no off-screen drawing context</source>
@@ -8805,19 +8805,19 @@
     </message>
     <message>
         <source>of the user</source>
-        <translation type="unfinished"></translation>
+        <translation>用户定义</translation>
     </message>
     <message>
         <source>overhead structure</source>
-        <translation type="unfinished"></translation>
+        <translation>高架结构</translation>
     </message>
     <message>
         <source>road surface</source>
-        <translation type="unfinished"></translation>
+        <translation>路面</translation>
     </message>
     <message>
         <source>temporal exclusion</source>
-        <translation type="unfinished"></translation>
+        <translation>时间排除点</translation>
     </message>
     <message>
         <source>the picture could not be drawn</source>
@@ -8833,19 +8833,19 @@
     </message>
     <message>
         <source>transmission tower</source>
-        <translation type="unfinished"></translation>
+        <translation>输电塔</translation>
     </message>
     <message>
         <source>wire connector</source>
-        <translation type="unfinished"></translation>
+        <translation>导线连接件</translation>
     </message>
     <message>
         <source>wire, conductor</source>
-        <translation type="unfinished"></translation>
+        <translation>导线（相线）</translation>
     </message>
     <message>
         <source>wire, guard</source>
-        <translation type="unfinished"></translation>
+        <translation>架空地线</translation>
     </message>
 </context>
 <context>
