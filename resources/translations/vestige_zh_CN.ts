@@ -5,95 +5,95 @@
     <name>PointClass</name>
     <message>
         <source>never classified</source>
-        <translation type="unfinished"></translation>
+        <translation>从未分类</translation>
     </message>
     <message>
         <source>unclassified</source>
-        <translation type="unfinished"></translation>
+        <translation>未分类</translation>
     </message>
     <message>
         <source>ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面</translation>
     </message>
     <message>
         <source>low vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>低矮植被</translation>
     </message>
     <message>
         <source>medium vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>中等高度植被</translation>
     </message>
     <message>
         <source>high vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>高大植被</translation>
     </message>
     <message>
         <source>building</source>
-        <translation type="unfinished"></translation>
+        <translation>建筑物</translation>
     </message>
     <message>
         <source>low noise</source>
-        <translation type="unfinished"></translation>
+        <translation>低位噪声点</translation>
     </message>
     <message>
         <source>model key point</source>
-        <translation type="unfinished"></translation>
+        <translation>模型关键点</translation>
     </message>
     <message>
         <source>water</source>
-        <translation type="unfinished"></translation>
+        <translation>水体</translation>
     </message>
     <message>
         <source>rail</source>
-        <translation type="unfinished"></translation>
+        <translation>铁轨</translation>
     </message>
     <message>
         <source>road surface</source>
-        <translation type="unfinished"></translation>
+        <translation>路面</translation>
     </message>
     <message>
         <source>overlap</source>
-        <translation type="unfinished">重叠度</translation>
+        <translation>重叠区</translation>
     </message>
     <message>
         <source>wire, guard</source>
-        <translation type="unfinished"></translation>
+        <translation>架空地线</translation>
     </message>
     <message>
         <source>wire, conductor</source>
-        <translation type="unfinished"></translation>
+        <translation>导线</translation>
     </message>
     <message>
         <source>transmission tower</source>
-        <translation type="unfinished"></translation>
+        <translation>输电塔</translation>
     </message>
     <message>
         <source>wire connector</source>
-        <translation type="unfinished"></translation>
+        <translation>导线连接件</translation>
     </message>
     <message>
         <source>bridge deck</source>
-        <translation type="unfinished"></translation>
+        <translation>桥面</translation>
     </message>
     <message>
         <source>high noise</source>
-        <translation type="unfinished"></translation>
+        <translation>高位噪声点</translation>
     </message>
     <message>
         <source>overhead structure</source>
-        <translation type="unfinished"></translation>
+        <translation>架空构筑物</translation>
     </message>
     <message>
         <source>ignored ground</source>
-        <translation type="unfinished"></translation>
+        <translation>忽略的地面</translation>
     </message>
     <message>
         <source>snow</source>
-        <translation type="unfinished"></translation>
+        <translation>积雪</translation>
     </message>
     <message>
         <source>temporal exclusion</source>
-        <translation type="unfinished"></translation>
+        <translation>时间性排除</translation>
     </message>
 </context>
 <context>
@@ -538,429 +538,429 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Export as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>导出为 CSV</translation>
     </message>
     <message>
         <source>Tables</source>
-        <translation type="unfinished"></translation>
+        <translation>表格</translation>
     </message>
     <message>
         <source>Save shortcut sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>保存快捷键表</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>文本</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标</translation>
     </message>
     <message>
         <source>Turn about the point under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>绕光标处的点旋转</translation>
     </message>
     <message>
         <source>left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>左键拖动</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>平移</translation>
     </message>
     <message>
         <source>right or middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>右键或中键拖动</translation>
     </message>
     <message>
         <source>Zoom to the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>向光标处缩放</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>滚轮</translation>
     </message>
     <message>
         <source>Vestige shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Vestige 快捷键</translation>
     </message>
     <message>
         <source>no scans yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无扫描</translation>
     </message>
     <message>
         <source>Add the scans of the scene; the first is the frame of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加现场的扫描；第一个扫描为所有其他扫描的基准。</translation>
     </message>
     <message>
         <source>%1 was not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 未读取</translation>
     </message>
     <message>
         <source>%1 files were not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个文件未读取</translation>
     </message>
     <message>
         <source>%1 is still being read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 仍在读取</translation>
     </message>
     <message>
         <source>%1 files are still being read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个文件仍在读取</translation>
     </message>
     <message>
         <source>1 scan, %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个扫描，%1 个点</translation>
     </message>
     <message>
         <source>%1 scans, %2 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描，%2 个点</translation>
     </message>
     <message>
         <source>Comes after the scans are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>须先读取扫描。</translation>
     </message>
     <message>
         <source>no layer is the target</source>
-        <translation type="unfinished"></translation>
+        <translation>没有目标图层</translation>
     </message>
     <message>
         <source>%1 is not registered</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 尚未配准</translation>
     </message>
     <message>
         <source>%1 scans are not registered</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描尚未配准</translation>
     </message>
     <message>
         <source>the fit of %1 is doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的配准存疑</translation>
     </message>
     <message>
         <source>%1 fits are doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个配准存疑</translation>
     </message>
     <message>
         <source>One scan: there is nothing to align.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个扫描：无需对齐。</translation>
     </message>
     <message>
         <source>No scan needs to be registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有需要配准的扫描。</translation>
     </message>
     <message>
         <source>1 scan is registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个扫描已配准。</translation>
     </message>
     <message>
         <source>%1 scans are registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描已配准。</translation>
     </message>
     <message>
         <source>Optional: take away what disturbs, separate objects.</source>
-        <translation type="unfinished"></translation>
+        <translation>可选：移除干扰物，分离物体。</translation>
     </message>
     <message>
         <source>%1 layers cleaned, %2 objects separated.</source>
-        <translation type="unfinished"></translation>
+        <translation>已清理 %1 个图层，已分离 %2 个物体。</translation>
     </message>
     <message>
         <source>nothing is measured yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未测量任何对象</translation>
     </message>
     <message>
         <source>%1 has recorded aims to take</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有记录的点选待采用</translation>
     </message>
     <message>
         <source>%1 objects have recorded aims to take</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象有记录的点选待采用</translation>
     </message>
     <message>
         <source>%1 is not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 尚未测量</translation>
     </message>
     <message>
         <source>%1 objects are not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象尚未测量</translation>
     </message>
     <message>
         <source>%1 has fewer than 3 repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的测量不足 3 次</translation>
     </message>
     <message>
         <source>%1 objects have fewer than 3 repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象的测量不足 3 次</translation>
     </message>
     <message>
         <source>1 object</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个对象</translation>
     </message>
     <message>
         <source>%1 objects</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象</translation>
     </message>
     <message>
         <source>Comes after something is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>须先进行测量。</translation>
     </message>
     <message>
         <source>%1 has no tape value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有卷尺值</translation>
     </message>
     <message>
         <source>%1 objects without a tape value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象没有卷尺值</translation>
     </message>
     <message>
         <source>no operator is named</source>
-        <translation type="unfinished"></translation>
+        <translation>未填写操作人员</translation>
     </message>
     <message>
         <source>not written yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未生成</translation>
     </message>
     <message>
         <source>Written, and nothing has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>已生成，此后没有任何更改。</translation>
     </message>
     <message>
         <source>Not written of the case as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未按案件的当前状态生成。</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>Align</source>
-        <translation type="unfinished">对齐</translation>
+        <translation>对齐</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>清理</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished">测量</translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>95 % interval: %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 区间：%1 %2</translation>
     </message>
     <message>
         <source>Repeats: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>各次测量：%1</translation>
     </message>
     <message>
         <source>u = %1, degrees of freedom %2, k = %3</source>
-        <translation type="unfinished"></translation>
+        <translation>u = %1，自由度 %2，k = %3</translation>
     </message>
     <message>
         <source>One repeat only: its scatter is not known, so there is no U.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一次测量：其离散未知，因此没有 U。</translation>
     </message>
     <message>
         <source>%1: standard uncertainty %2 (%3, degrees of freedom %4), which makes %5 of the figure</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：标准不确定度 %2（%3，自由度 %4），对该量的贡献为 %5</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>%1, taken for it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，按此采用</translation>
     </message>
     <message>
         <source>Loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>载入情况</translation>
     </message>
     <message>
         <source>once all of it is read</source>
-        <translation type="unfinished"></translation>
+        <translation>全部读取后给出</translation>
     </message>
     <message>
         <source>shown; its square, or Space, hides it</source>
-        <translation type="unfinished"></translation>
+        <translation>已显示；单击其方块或按空格键可隐藏</translation>
     </message>
     <message>
         <source>hidden; its square, or Space, shows it</source>
-        <translation type="unfinished"></translation>
+        <translation>已隐藏；单击其方块或按空格键可显示</translation>
     </message>
     <message>
         <source>Files of a report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告的文件</translation>
     </message>
     <message>
         <source>method, lengths, errors, pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>方法、长度、误差、图片</translation>
     </message>
     <message>
         <source>every length, every digit</source>
-        <translation type="unfinished"></translation>
+        <translation>每个长度，全部位数</translation>
     </message>
     <message>
         <source>errors by method</source>
-        <translation type="unfinished"></translation>
+        <translation>各方法的误差</translation>
     </message>
     <message>
         <source>poses and what they are worth</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿及其可信程度</translation>
     </message>
     <message>
         <source>all registered scans as one cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>所有已配准的扫描合成的一个点云</translation>
     </message>
     <message>
         <source>the scene and each object</source>
-        <translation type="unfinished"></translation>
+        <translation>现场和每个对象</translation>
     </message>
     <message>
         <source>hashes of inputs and outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输入和输出文件的哈希值</translation>
     </message>
     <message>
         <source>not in report</source>
-        <translation type="unfinished"></translation>
+        <translation>不在报告中</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>类别</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>更多</translation>
     </message>
     <message>
         <source>Measure something else: heights, angles, lines, arcs, areas, crush ...</source>
-        <translation type="unfinished"></translation>
+        <translation>测量其他内容：高度、角度、折线、圆弧、面积、变形量……</translation>
     </message>
     <message>
         <source>Kinds of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量类型</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>比较</translation>
     </message>
     <message>
         <source>today %1</source>
-        <translation type="unfinished"></translation>
+        <translation>今天 %1</translation>
     </message>
     <message>
         <source>yesterday %1</source>
-        <translation type="unfinished"></translation>
+        <translation>昨天 %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1, being fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，正在拟合</translation>
     </message>
     <message>
         <source>no point here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有点</translation>
     </message>
     <message>
         <source>no %1 here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有%1</translation>
     </message>
     <message>
         <source>point, spacing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>点，间距 %1</translation>
     </message>
     <message>
         <source>circle, ⌀ %1 m, σ %2</source>
-        <translation type="unfinished"></translation>
+        <translation>圆，⌀ %1 m，σ %2</translation>
     </message>
     <message>
         <source>%1, σ %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，σ %2</translation>
     </message>
     <message>
         <source>1 repeat: %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>1 次测量：%1 m</translation>
     </message>
     <message>
         <source>%1 repeats: mean %2 m, SD %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次测量：平均值 %2 m，标准差 %3</translation>
     </message>
     <message>
         <source>; the last one %1 from the mean of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>；最后一次与其余各次平均值相差 %1</translation>
     </message>
 </context>
 <context>
     <name>TimeLeft</name>
     <message>
         <source>1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩 1 s</translation>
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩 %1 s</translation>
     </message>
     <message>
         <source>about %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩约 %1 s</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩 %1 min</translation>
     </message>
 </context>
 <context>
     <name>vestige</name>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>目录</translation>
     </message>
     <message>
         <source>Contents of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>指南目录</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索</translation>
     </message>
     <message>
         <source>Return finds the next place, Shift+Return the one before</source>
-        <translation type="unfinished"></translation>
+        <translation>回车键查找下一处，Shift+回车键查找上一处</translation>
     </message>
     <message>
         <source>Search the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索指南</translation>
     </message>
     <message>
         <source>Place before</source>
-        <translation type="unfinished"></translation>
+        <translation>上一处</translation>
     </message>
     <message>
         <source>Next place</source>
-        <translation type="unfinished"></translation>
+        <translation>下一处</translation>
     </message>
     <message>
         <source>User guide</source>
-        <translation type="unfinished"></translation>
+        <translation>用户指南</translation>
     </message>
 </context>
 <context>
@@ -1052,101 +1052,101 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Saving…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在保存……</translation>
     </message>
 </context>
 <context>
     <name>vestige::BudgetPanel</name>
     <message>
         <source>Selected object</source>
-        <translation type="unfinished"></translation>
+        <translation>所选对象</translation>
     </message>
     <message>
         <source>Select an object in the table to see its figures and what their uncertainty is made of.</source>
-        <translation type="unfinished"></translation>
+        <translation>在表中选择一个对象，查看其各项数值及其不确定度的构成。</translation>
     </message>
     <message>
         <source>Kind of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量类型</translation>
     </message>
     <message>
         <source>Tolerance of the known distance, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离的容差，以米为单位</translation>
     </message>
     <message>
         <source>How far the measured length may differ from the tape; metres above 0, usually %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测量长度与卷尺值允许相差多少；大于 0 的米数，通常为 %1</translation>
     </message>
     <message>
         <source>within ±</source>
-        <translation type="unfinished"></translation>
+        <translation>容差 ±</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no tolerance: expected metres above 0, such as 0.02.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是容差：应为大于 0 的米数，例如 0.02。</translation>
     </message>
     <message>
         <source>. Choose its tool above the view and click; three repeats make a measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>。请在视图上方选择其工具并单击；重复三次构成一次测量。</translation>
     </message>
 </context>
 <context>
     <name>vestige::CaseForm</name>
     <message>
         <source>How the case is called in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>案件在报告中的名称</translation>
     </message>
     <message>
         <source>Case 2025-0317, open road</source>
-        <translation type="unfinished"></translation>
+        <translation>案件 2025-0317，开阔路段</translation>
     </message>
     <message>
         <source>Who answers for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>对报告负责的人员</translation>
     </message>
     <message>
         <source>Name of the analyst</source>
-        <translation type="unfinished"></translation>
+        <translation>分析人员姓名</translation>
     </message>
     <message>
         <source>WGS 84, -90 to 90; only with the longitude</source>
-        <translation type="unfinished"></translation>
+        <translation>WGS 84，-90 至 90；须与经度一并填写</translation>
     </message>
     <message>
         <source>WGS 84, -180 to 180; only with the latitude</source>
-        <translation type="unfinished"></translation>
+        <translation>WGS 84，-180 至 180；须与纬度一并填写</translation>
     </message>
     <message>
         <source>Above the sea, -500 to 9000; 0 where nothing is given</source>
-        <translation type="unfinished"></translation>
+        <translation>海拔，-500 至 9000；未填写时为 0</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Operator</source>
-        <translation type="unfinished"></translation>
+        <translation>操作人员</translation>
     </message>
     <message>
         <source>Latitude, °</source>
-        <translation type="unfinished"></translation>
+        <translation>纬度，°</translation>
     </message>
     <message>
         <source>Longitude, °</source>
-        <translation type="unfinished"></translation>
+        <translation>经度，°</translation>
     </message>
     <message>
         <source>Height, m</source>
-        <translation type="unfinished"></translation>
+        <translation>高程，m</translation>
     </message>
     <message>
         <source>The place is not taken: the latitude is -90 to 90 degrees, the longitude -180 to 180, the height -500 to 9000 metres, each with &apos;.&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>未采用该地点：纬度应为 -90 至 90 度，经度应为 -180 至 180 度，高程应为 -500 至 9000 米，均以“.”作小数点。</translation>
     </message>
 </context>
 <context>
