@@ -1153,263 +1153,263 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <name>vestige::CleanPanel</name>
     <message>
         <source>Select by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动选择</translation>
     </message>
     <message>
         <source>Draw round what does not belong to the scene: a passer-by, a moving car.</source>
-        <translation type="unfinished"></translation>
+        <translation>圈出不属于现场的内容：路过的行人、行驶中的车辆。</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>离群点</translation>
     </message>
     <message>
         <source>Single points in the air: echoes of rain, dust and edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中的孤立点：雨滴、灰尘和边缘产生的回波。</translation>
     </message>
     <message>
         <source>Ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面</translation>
     </message>
     <message>
         <source>The surface that everything else stands on.</source>
-        <translation type="unfinished"></translation>
+        <translation>其他一切物体所在的表面。</translation>
     </message>
     <message>
         <source>Objects</source>
-        <translation type="unfinished">对象</translation>
+        <translation>物体</translation>
     </message>
     <message>
         <source>What stands on the ground and hangs together becomes an object: vehicles, debris, poles.</source>
-        <translation type="unfinished"></translation>
+        <translation>立于地面且连成一体的点成为一个物体：车辆、散落物、杆柱。</translation>
     </message>
     <message>
         <source>Taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>已移除</translation>
     </message>
     <message>
         <source>Nothing is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择任何点</translation>
     </message>
     <message>
         <source>Draw round points with the lasso (T), or let a step find them. What is selected is shown in magenta; then remove it, keep only it, or make it an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>用套索 (T) 圈选点，或由某一步骤查找。所选的点以品红色显示；然后可移除、仅保留，或设为一个物体。</translation>
     </message>
     <message>
         <source>%1 points selected</source>
-        <translation type="unfinished"></translation>
+        <translation>已选择 %1 个点</translation>
     </message>
     <message>
         <source> of %1 layers</source>
-        <translation type="unfinished"></translation>
+        <translation>，来自 %1 个图层</translation>
     </message>
     <message>
         <source>By %1, from %2 m to %3 m from the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>方式：%1，距观察点 %2 m 至 %3 m</translation>
     </message>
     <message>
         <source>By %1</source>
-        <translation type="unfinished"></translation>
+        <translation>方式：%1</translation>
     </message>
     <message>
         <source>%1 by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 %1 个</translation>
     </message>
     <message>
         <source>%1: %2 of %3 points (%4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：共 %3 个点，已移除 %2 个（%4）</translation>
     </message>
     <message>
         <source>Nothing yet. The files keep every point whatever is taken out here.</source>
-        <translation type="unfinished"></translation>
+        <translation>暂无。无论此处移除什么，文件都保留每一个点。</translation>
     </message>
 </context>
 <context>
     <name>vestige::Cleaner</name>
     <message>
         <source>. They were not taken out; Bring back forgets the cleaning.</source>
-        <translation type="unfinished"></translation>
+        <translation>。这些点未被移除；“恢复已移除的点”可取消清理。</translation>
     </message>
     <message>
         <source>Taking points out of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在从 %1 移除点</translation>
     </message>
 </context>
 <context>
     <name>vestige::CleaningReactions</name>
     <message>
         <source>remove %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1 个点</translation>
     </message>
     <message>
         <source>%1 points are taken out of the scene; their files keep them. Undo brings them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>已从现场移除 %1 个点；其文件仍保留这些点。可用“撤销”恢复。</translation>
     </message>
     <message>
         <source>bring removed points back</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复已移除的点</translation>
     </message>
     <message>
         <source>No points are selected that are still in the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>所选的点均已不在现场中。</translation>
     </message>
     <message>
         <source>No layer is loaded and shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有已载入且显示的图层。</translation>
     </message>
     <message>
         <source>Finding outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找离群点</translation>
     </message>
     <message>
         <source>%1 outliers are selected; Delete takes them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>已选择 %1 个离群点；按 Delete 键移除。</translation>
     </message>
     <message>
         <source>No layer is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有已载入的图层。</translation>
     </message>
     <message>
         <source>Finding the ground of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找 %1 的地面</translation>
     </message>
     <message>
         <source>%1 points of the ground are selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>已选择 %1 个地面点。</translation>
     </message>
     <message>
         <source>Separating what stands on the ground of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在分离 %1 地面上的物体</translation>
     </message>
     <message>
         <source>separate objects of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>分离 %1 的物体</translation>
     </message>
     <message>
         <source>Nothing of the sizes asked for stands on the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>地面上没有符合所设尺寸的物体。</translation>
     </message>
     <message>
         <source>The %1 largest of %2 objects are listed; smaller limits give fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>已列出 %2 个物体中最大的 %1 个；减小限值可使数量减少。</translation>
     </message>
     <message>
         <source>%1 objects are listed at the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>左侧已列出 %1 个物体。</translation>
     </message>
     <message>
         <source>Making an object</source>
-        <translation type="unfinished"></translation>
+        <translation>正在设为物体</translation>
     </message>
     <message>
         <source>make an object</source>
-        <translation type="unfinished"></translation>
+        <translation>设为物体</translation>
     </message>
     <message>
         <source>%1 is of points that are not loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的点未载入。</translation>
     </message>
 </context>
 <context>
     <name>vestige::CleaningTools</name>
     <message>
         <source>The points are still being read; select when all are there.</source>
-        <translation type="unfinished"></translation>
+        <translation>点仍在读取；请待全部读取后再选择。</translation>
     </message>
     <message>
         <source>Select a layer first, or let the outline take all that are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择一个图层，或将圈选范围设为所有显示的图层。</translation>
     </message>
     <message>
         <source>No layer is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有显示的图层。</translation>
     </message>
     <message>
         <source>Selecting points</source>
-        <translation type="unfinished"></translation>
+        <translation>正在选择点</translation>
     </message>
     <message>
         <source>No point lies there.</source>
-        <translation type="unfinished"></translation>
+        <translation>该处没有点。</translation>
     </message>
 </context>
 <context>
     <name>vestige::ColorBar</name>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>These colours have no range: choose height, intensity or distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>这种着色没有取值范围：请选择高程、强度或距离。</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>均匀</translation>
     </message>
     <message>
         <source>Viridis</source>
-        <translation type="unfinished"></translation>
+        <translation>翠绿 (Viridis)</translation>
     </message>
     <message>
         <source>Cividis</source>
-        <translation type="unfinished"></translation>
+        <translation>蓝黄 (Cividis)</translation>
     </message>
     <message>
         <source>Plasma</source>
-        <translation type="unfinished"></translation>
+        <translation>紫黄 (Plasma)</translation>
     </message>
     <message>
         <source>Grey</source>
-        <translation type="unfinished"></translation>
+        <translation>灰度</translation>
     </message>
     <message>
         <source>Colours of heights</source>
-        <translation type="unfinished"></translation>
+        <translation>高程的颜色</translation>
     </message>
     <message>
         <source>Colours of heights; equal steps of them look equal. Cividis looks alike to nearly every eye</source>
-        <translation type="unfinished"></translation>
+        <translation>高程的颜色；相等的高差看起来差别也相等。“蓝黄 (Cividis)”对几乎所有人的眼睛都一样</translation>
     </message>
     <message>
         <source>Lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>最低</translation>
     </message>
     <message>
         <source>Where the colours begin</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色的起点</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最高</translation>
     </message>
     <message>
         <source>Where the colours end</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色的终点</translation>
     </message>
     <message>
         <source>Left out</source>
-        <translation type="unfinished"></translation>
+        <translation>舍去</translation>
     </message>
     <message>
         <source>Share of the values left out at either end: 0 to 40 %. Goes back to a range from the values</source>
-        <translation type="unfinished"></translation>
+        <translation>两端各舍去的数值比例：0 至 40 %。范围将重新由数值求得</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>Intensity</source>
-        <translation type="unfinished">强度</translation>
+        <translation>强度</translation>
     </message>
     <message>
         <source>Distance, m</source>
-        <translation type="unfinished"></translation>
+        <translation>距离，m</translation>
     </message>
     <message>
         <source>Height, m</source>
-        <translation type="unfinished"></translation>
+        <translation>高程，m</translation>
     </message>
 </context>
 <context>
@@ -1436,11 +1436,11 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Amount</source>
-        <translation type="unfinished"></translation>
+        <translation>调节量</translation>
     </message>
     <message>
         <source>Back to the plain view</source>
-        <translation type="unfinished"></translation>
+        <translation>返回普通视图</translation>
     </message>
 </context>
 <context>
@@ -1492,26 +1492,26 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <name>vestige::EmptyCasePage</name>
     <message>
         <source>A new case</source>
-        <translation type="unfinished"></translation>
+        <translation>新案件</translation>
     </message>
     <message>
         <source>Add the scans of the scene, the aerial cloud first: it becomes the frame that all others are registered to. Files can also be dropped here.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加现场的扫描，先添加航测点云：它将成为所有其他扫描配准的基准。也可将文件拖放到此处。</translation>
     </message>
     <message>
         <source>For the report, now or later</source>
-        <translation type="unfinished"></translation>
+        <translation>报告所需信息，可现在或以后填写</translation>
     </message>
 </context>
 <context>
     <name>vestige::EventWatch</name>
     <message>
         <source>The window was held for at most %1 ms by one of %2 events; longest drawing call %3 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %2 个事件中，窗口最长一次被占用 %1 ms；最长的一次绘图调用为 %3 ms</translation>
     </message>
     <message>
         <source>%1 ms (%2 times): %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms（%2 次）：%3</translation>
     </message>
 </context>
 <context>
@@ -1552,55 +1552,55 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <name>vestige::ExchangeReactions</name>
     <message>
         <source>Import picks</source>
-        <translation type="unfinished"></translation>
+        <translation>导入点选</translation>
     </message>
     <message>
         <source>Import tape values</source>
-        <translation type="unfinished"></translation>
+        <translation>导入卷尺值</translation>
     </message>
     <message>
         <source>%1 has corresponding points: select the layer that they belong to, which is not the target, and import them again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 含有对应点：请选择这些点所属的图层（不能是目标图层），然后重新导入。</translation>
     </message>
     <message>
         <source>%1 now starts from these pairs; Register (Ctrl+G) goes on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 现以这些点对为起点；“配准”(Ctrl+G) 由此继续。</translation>
     </message>
     <message>
         <source>The case has all of these picks already.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件已有全部这些点选。</translation>
     </message>
     <message>
         <source>import picks</source>
-        <translation type="unfinished"></translation>
+        <translation>导入点选</translation>
     </message>
     <message>
         <source>%1 repeats of %2 were taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用 %2 的 %1 次测量。</translation>
     </message>
     <message>
         <source>%1 repeats of %2 objects were taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用 %2 个对象的 %1 次测量。</translation>
     </message>
     <message>
         <source>%1 were there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次此前已存在。</translation>
     </message>
     <message>
         <source>The case has all of these values already.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件已有全部这些值。</translation>
     </message>
     <message>
         <source>import tape values</source>
-        <translation type="unfinished"></translation>
+        <translation>导入卷尺值</translation>
     </message>
     <message>
         <source>%1 objects were added or changed. Measured lengths come of picks and were not taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>已添加或更改 %1 个对象。测量长度由点选得出，未予采用。</translation>
     </message>
     <message>
         <source>The picks are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选已存入 %1。</translation>
     </message>
 </context>
 <context>
@@ -1619,30 +1619,30 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写入 %1</translation>
     </message>
 </context>
 <context>
     <name>vestige::FiguresTree</name>
     <message>
         <source>Figures and uncertainty budgets</source>
-        <translation type="unfinished"></translation>
+        <translation>各项数值及不确定度分量</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>数值</translation>
     </message>
     <message>
         <source>U 95 %</source>
-        <translation type="unfinished">U 95 %</translation>
+        <translation>U 95 %</translation>
     </message>
     <message>
         <source>Share</source>
-        <translation type="unfinished"></translation>
+        <translation>占比</translation>
     </message>
 </context>
 <context>
@@ -1657,7 +1657,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Waiting for the disk to take the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在等待磁盘写入案件……</translation>
     </message>
 </context>
 <context>
@@ -1741,7 +1741,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>迭代</translation>
     </message>
 </context>
 <context>
@@ -1760,72 +1760,72 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>The case is saved as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>案件已按当前状态保存</translation>
     </message>
     <message>
         <source>Save case (Ctrl+S) makes what you see the case</source>
-        <translation type="unfinished"></translation>
+        <translation>“保存案件”(Ctrl+S) 将当前所见内容存为案件</translation>
     </message>
     <message>
         <source>not saved, changes kept %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存，更改已于 %1 暂存</translation>
     </message>
 </context>
 <context>
     <name>vestige::HistoryPanel</name>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>历史记录</translation>
     </message>
     <message>
         <source>Close the history</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭历史记录</translation>
     </message>
     <message>
         <source>A click takes the case to that step</source>
-        <translation type="unfinished"></translation>
+        <translation>单击可使案件回到该步</translation>
     </message>
     <message>
         <source>As it was opened</source>
-        <translation type="unfinished"></translation>
+        <translation>打开时的状态</translation>
     </message>
     <message>
         <source>the present step</source>
-        <translation type="unfinished"></translation>
+        <translation>当前步骤</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>已执行</translation>
     </message>
     <message>
         <source>undone</source>
-        <translation type="unfinished"></translation>
+        <translation>已撤销</translation>
     </message>
 </context>
 <context>
     <name>vestige::ImportPanel</name>
     <message>
         <source>Add the scans of the scene: clouds and meshes, by this button or dropped into the window. The first is the frame that the others are registered to. Files are only ever read; each is hashed.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加现场的扫描：点云和网格，可用此按钮添加或拖放到窗口中。第一个扫描为其他扫描配准的基准。文件只会被读取；每个文件都计算哈希值。</translation>
     </message>
     <message>
         <source>Scans</source>
-        <translation type="unfinished">扫描</translation>
+        <translation>扫描</translation>
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished">图层</translation>
+        <translation>图层</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
 </context>
 <context>
     <name>vestige::KindReactions</name>
     <message>
         <source>Type the known distance into the tape column of &quot;%1&quot;; its tolerance stands below the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将已知距离填入“%1”的卷尺列；其容差在表格下方。</translation>
     </message>
 </context>
 <context>
@@ -1872,15 +1872,15 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>How the layer is called in the window and in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>图层在窗口和报告中的名称</translation>
     </message>
     <message>
         <source>What made the scan: it says how precise it is, and what is registered</source>
-        <translation type="unfinished"></translation>
+        <translation>扫描的来源：说明其精密程度以及哪些需要配准</translation>
     </message>
     <message>
         <source>What the file&apos;s coordinates are in; recognised from the file where nothing is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>文件坐标的单位；未选择时由文件自动识别</translation>
     </message>
 </context>
 <context>
@@ -1958,18 +1958,18 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Looking for changes that were not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找未保存的更改</translation>
     </message>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>（%1）</translation>
     </message>
 </context>
 <context>
     <name>vestige::Loupe</name>
     <message>
         <source>Loupe</source>
-        <translation type="unfinished"></translation>
+        <translation>放大镜</translation>
     </message>
 </context>
 <context>
@@ -1999,15 +1999,15 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>click the second end %1, Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>单击第二个端点，%1；按 Esc 放弃</translation>
     </message>
     <message>
         <source>click the first end %1</source>
-        <translation type="unfinished"></translation>
+        <translation>单击第一个端点，%1</translation>
     </message>
     <message>
         <source>What is found is drawn before the click. N: the next kind of snap.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击之前即画出所找到的特征。N 键：切换到下一种捕捉。</translation>
     </message>
 </context>
 <context>
@@ -2062,15 +2062,15 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>A known distance: it may be off by %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离：允许相差 %1 m</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no reference: expected a number above 0, in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是参考值：应为大于 0 的数，单位为 %2。</translation>
     </message>
 </context>
 <context>
@@ -2093,27 +2093,27 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>测量方法</translation>
     </message>
     <message>
         <source>Not verified: no known distance of this method has been checked. Mark an object whose length is known as &quot;Known distance&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>未校核：尚未用此方法校核任何已知距离。请将一个长度已知的对象标为“已知距离”。</translation>
     </message>
     <message>
         <source>Verified: the known distance agrees within its tolerance.</source>
-        <translation type="unfinished"></translation>
+        <translation>已校核：已知距离在容差范围内相符。</translation>
     </message>
     <message>
         <source>CHECK FAILED:</source>
-        <translation type="unfinished"></translation>
+        <translation>校核不合格：</translation>
     </message>
     <message>
         <source> %1 is off by %2, %3 allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 相差 %2，允许 %3。</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
 </context>
 <context>
@@ -2153,19 +2153,19 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::OutlineTool</name>
     <message>
         <source>Drag a box round points. Shift adds, Ctrl takes away; Alt+drag turns the view</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动方框框选点。Shift 加选，Ctrl 减选；Alt+拖动可旋转视图</translation>
     </message>
     <message>
         <source>Let go, or click the opposite corner; Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>松开鼠标，或单击对角；按 Esc 放弃</translation>
     </message>
     <message>
         <source>Click round points, or draw round them. Shift adds, Ctrl takes away; Alt+drag turns the view</source>
-        <translation type="unfinished"></translation>
+        <translation>依次单击圈出点，或拖动圈画。Shift 加选，Ctrl 减选；Alt+拖动可旋转视图</translation>
     </message>
     <message>
         <source>%1 corners: double-click, Return or right-click closes, Backspace takes one back, Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个顶点：双击、回车键或右键单击闭合，Backspace 退回一个，Esc 放弃</translation>
     </message>
 </context>
 <context>
@@ -2179,98 +2179,98 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::PartsPanel</name>
     <message>
         <source>vehicle</source>
-        <translation type="unfinished"></translation>
+        <translation>车辆</translation>
     </message>
     <message>
         <source>debris</source>
-        <translation type="unfinished"></translation>
+        <translation>散落物</translation>
     </message>
     <message>
         <source>pole or plant</source>
-        <translation type="unfinished"></translation>
+        <translation>杆柱或植物</translation>
     </message>
     <message>
         <source>ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>其他</translation>
     </message>
     <message>
         <source>%1: %2, %3 points of %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2，%3 个点，来自 %4</translation>
     </message>
     <message>
         <source>%1 m, the upright box round its points; no measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m，包围其各点的直立长方体；并非测量结果</translation>
     </message>
     <message>
         <source>Its points are of another file or part than the one that is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>其点属于另一文件或另一部分，与所载入的不同。</translation>
     </message>
     <message>
         <source>Parts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场物体</translation>
     </message>
     <message>
         <source>None yet. Clean (Ctrl+4) separates vehicles and debris.</source>
-        <translation type="unfinished"></translation>
+        <translation>暂无。“清理”(Ctrl+4) 可分离车辆和散落物。</translation>
     </message>
     <message>
         <source>Tick to show, double-click to rename</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选可显示，双击可重命名</translation>
     </message>
     <message>
         <source>It is: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>类别：%1</translation>
     </message>
 </context>
 <context>
     <name>vestige::PathTool</name>
     <message>
         <source>There is no point within 6 pixels of this click.</source>
-        <translation type="unfinished">此次单击的 6 像素范围内没有点。</translation>
+        <translation>此次单击的 6 像素范围内没有点。</translation>
     </message>
     <message>
         <source>A path has %1 points at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>一条路径最多有 %1 个点。</translation>
     </message>
     <message>
         <source>This needs %1 points or more; there are %2. Esc gives up.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处至少需要 %1 个点；现有 %2 个。按 Esc 放弃。</translation>
     </message>
     <message>
         <source>pick %1, repeat 1</source>
-        <translation type="unfinished"></translation>
+        <translation>点选 %1，第 1 次</translation>
     </message>
     <message>
         <source>New: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>新建：%1</translation>
     </message>
     <message>
         <source>repeat %1 of 3</source>
-        <translation type="unfinished">第 %1 次，共 3 次</translation>
+        <translation>第 %1 次，共 3 次</translation>
     </message>
     <message>
         <source>repeat %1</source>
-        <translation type="unfinished">第 %1 次</translation>
+        <translation>第 %1 次</translation>
     </message>
     <message>
         <source>click %1</source>
-        <translation type="unfinished"></translation>
+        <translation>单击%1</translation>
     </message>
     <message>
         <source>; double click or Enter ends</source>
-        <translation type="unfinished"></translation>
+        <translation>；双击或回车键结束</translation>
     </message>
     <message>
         <source>; Backspace takes the last point back, Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>；Backspace 退回上一点，Esc 放弃</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
-        <translation type="unfinished">%1，%2：%3</translation>
+        <translation>%1，%2：%3</translation>
     </message>
 </context>
 <context>
