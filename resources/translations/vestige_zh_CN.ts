@@ -929,41 +929,6 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
 </context>
 <context>
-    <name>vestige</name>
-    <message>
-        <source>Contents</source>
-        <translation>目录</translation>
-    </message>
-    <message>
-        <source>Contents of the guide</source>
-        <translation>指南目录</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>搜索</translation>
-    </message>
-    <message>
-        <source>Return finds the next place, Shift+Return the one before</source>
-        <translation>回车键查找下一处，Shift+回车键查找上一处</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>搜索指南</translation>
-    </message>
-    <message>
-        <source>Place before</source>
-        <translation>上一处</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>下一处</translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation>用户指南</translation>
-    </message>
-</context>
-<context>
     <name>vestige::AccuracyPanel</name>
     <message>
         <source>Relative error by object</source>
@@ -1745,6 +1710,41 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
 </context>
 <context>
+    <name>vestige::GuidePage</name>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Contents of the guide</source>
+        <translation>指南目录</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Return finds the next place, Shift+Return the one before</source>
+        <translation>回车键查找下一处，Shift+回车键查找上一处</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>搜索指南</translation>
+    </message>
+    <message>
+        <source>Place before</source>
+        <translation>上一处</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>用户指南</translation>
+    </message>
+</context>
+<context>
     <name>vestige::HeaderBar</name>
     <message>
         <source>read-only</source>
@@ -2277,176 +2277,176 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::PickChoices</name>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>edge</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘</translation>
     </message>
     <message>
         <source>corner</source>
-        <translation type="unfinished"></translation>
+        <translation>角点</translation>
     </message>
     <message>
         <source>highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最高点</translation>
     </message>
     <message>
         <source>lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>最低点</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>质心</translation>
     </message>
     <message>
         <source>at the nearest point</source>
-        <translation type="unfinished"></translation>
+        <translation>取最近点</translation>
     </message>
     <message>
         <source>on the local plane</source>
-        <translation type="unfinished"></translation>
+        <translation>取局部平面上的点</translation>
     </message>
     <message>
         <source>on an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>取边缘上的点</translation>
     </message>
     <message>
         <source>at a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>取角点</translation>
     </message>
     <message>
         <source>at the highest point</source>
-        <translation type="unfinished"></translation>
+        <translation>取最高点</translation>
     </message>
     <message>
         <source>at the lowest point</source>
-        <translation type="unfinished"></translation>
+        <translation>取最低点</translation>
     </message>
     <message>
         <source>at a circle&apos;s centre</source>
-        <translation type="unfinished"></translation>
+        <translation>取圆心</translation>
     </message>
     <message>
         <source>at the centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>取质心</translation>
     </message>
 </context>
 <context>
     <name>vestige::PickMover</name>
     <message>
         <source>This repeat counts for %1, the point here for %2: measure it as a repeat of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>这次测量计入 %1，而此处的点属于 %2：请将其作为单独一次测量。</translation>
     </message>
     <message>
         <source>Moving an end of repeat %1: %2, was %3 m. Esc puts it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在移动第 %1 次测量的端点：%2，原为 %3 m。按 Esc 恢复原位。</translation>
     </message>
 </context>
 <context>
     <name>vestige::PickProbe</name>
     <message>
         <source>There is no point within 6 pixels of the cursor.</source>
-        <translation type="unfinished"></translation>
+        <translation>光标的 6 像素范围内没有点。</translation>
     </message>
     <message>
         <source>Features can be fitted once all points of this layer are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>须待此图层的点全部读取后才能拟合特征。</translation>
     </message>
 </context>
 <context>
     <name>vestige::PictureBar</name>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片</translation>
     </message>
     <message>
         <source>True to scale, 1 :</source>
-        <translation type="unfinished"></translation>
+        <translation>按比例尺，1 :</translation>
     </message>
     <message>
         <source>No background</source>
-        <translation type="unfinished"></translation>
+        <translation>无背景</translation>
     </message>
     <message>
         <source>Width of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片宽度</translation>
     </message>
     <message>
         <source>Width, 16 to 32000 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>宽度，16 至 32000 像素</translation>
     </message>
     <message>
         <source>Height of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片高度</translation>
     </message>
     <message>
         <source>Height, 16 to 32000 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>高度，16 至 32000 像素</translation>
     </message>
     <message>
         <source>Scale of the picture, 1 to</source>
-        <translation type="unfinished"></translation>
+        <translation>图片比例尺，1 比</translation>
     </message>
     <message>
         <source>100: a metre of the scene is a centimetre on paper. The view is drawn parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>100：现场 1 米在纸上为 1 厘米。视图以平行投影绘制</translation>
     </message>
     <message>
         <source>Dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>每英寸点数</translation>
     </message>
     <message>
         <source>Dots per inch, 36 to 2400: written into the file; letters and points grow with them</source>
-        <translation type="unfinished"></translation>
+        <translation>每英寸点数，36 至 2400：写入文件；文字和点随之放大</translation>
     </message>
     <message>
         <source>One length in the picture is one length in the scene, wherever it lies</source>
-        <translation type="unfinished"></translation>
+        <translation>图片中相同的长度即为现场相同的长度，无论位于何处</translation>
     </message>
     <message>
         <source>Where nothing is drawn the picture is transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>未绘制内容的部分为透明</translation>
     </message>
     <message>
         <source>Save picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片…</translation>
     </message>
     <message>
         <source>Choose a PNG file and draw the view into it</source>
-        <translation type="unfinished"></translation>
+        <translation>选择一个 PNG 文件并将视图绘入其中</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>%1 × %2 cm on paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸上 %1 × %2 cm</translation>
     </message>
     <message>
         <source>shows %1 × %2 m on %3 × %4 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>以 %3 × %4 cm 显示 %1 × %2 m</translation>
     </message>
     <message>
         <source>This program has nothing to draw pictures with.</source>
-        <translation type="unfinished"></translation>
+        <translation>本程序没有可用于绘制图片的组件。</translation>
     </message>
     <message>
         <source>Drawing the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>正在绘制图片</translation>
     </message>
     <message>
         <source>The picture is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>图片已存入 %1。</translation>
     </message>
 </context>
 <context>
@@ -2561,31 +2561,31 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::ReportPanel</name>
     <message>
         <source>Nothing was written in this session. Export report (Ctrl+R) makes a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>本次运行尚未生成任何内容。“导出报告”(Ctrl+R) 将生成一个文件夹。</translation>
     </message>
     <message>
         <source>Case</source>
-        <translation type="unfinished"></translation>
+        <translation>案件</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>尚缺内容</translation>
     </message>
     <message>
         <source>What is written</source>
-        <translation type="unfinished"></translation>
+        <translation>报告内容</translation>
     </message>
     <message>
         <source>Written</source>
-        <translation type="unfinished"></translation>
+        <translation>已生成</translation>
     </message>
     <message>
         <source>Outputs of this session</source>
-        <translation type="unfinished"></translation>
+        <translation>本次运行的输出</translation>
     </message>
     <message>
         <source>A double click, or Return, opens it</source>
-        <translation type="unfinished"></translation>
+        <translation>双击或按回车键打开</translation>
     </message>
 </context>
 <context>
@@ -2599,11 +2599,11 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::SampleReactions</name>
     <message>
         <source>The sample scene is simulated once; that takes some minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>示例现场只需模拟一次；这需要几分钟。</translation>
     </message>
     <message>
         <source>Simulating the sample scene</source>
-        <translation type="unfinished"></translation>
+        <translation>正在模拟示例现场</translation>
     </message>
 </context>
 <context>
@@ -2617,152 +2617,152 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::SectionBar</name>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切</translation>
     </message>
     <message>
         <source>Middle</source>
-        <translation type="unfinished"></translation>
+        <translation>中心</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>Middle of the section, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切中心，%1</translation>
     </message>
     <message>
         <source>%1 of the box&apos;s middle, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切盒中心的 %1 坐标，以米为单位</translation>
     </message>
     <message>
         <source>Size of the section, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切大小，%1</translation>
     </message>
     <message>
         <source>Length of the box along its own %1 axis, metres: 0.001 or more; a slab is thin along one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切盒沿其自身 %1 轴的长度，以米为单位：不小于 0.001；切片沿其中一轴很薄</translation>
     </message>
     <message>
         <source>Turn of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切的转角</translation>
     </message>
     <message>
         <source>How the box is turned about its upright axis, from x towards y: -180 to 180 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切盒绕其竖直轴的转角，由 x 向 y：-180 至 180 度</translation>
     </message>
     <message>
         <source>Turned</source>
-        <translation type="unfinished"></translation>
+        <translation>转角</translation>
     </message>
 </context>
 <context>
     <name>vestige::ShortcutsPage</name>
     <message>
         <source>Set</source>
-        <translation type="unfinished"></translation>
+        <translation>设定</translation>
     </message>
     <message>
         <source>Give the chosen action these keys</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些键指定给所选操作</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>清除</translation>
     </message>
     <message>
         <source>Take the chosen action&apos;s shortcut away</source>
-        <translation type="unfinished"></translation>
+        <translation>取消所选操作的快捷键</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>重置</translation>
     </message>
     <message>
         <source>Give the chosen action the keys that it came with</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复所选操作原有的键</translation>
     </message>
     <message>
         <source>Search actions and keys</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索操作和键</translation>
     </message>
     <message>
         <source>Words of an action, or keys</source>
-        <translation type="unfinished"></translation>
+        <translation>操作中的字词，或键</translation>
     </message>
     <message>
         <source>Search shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索快捷键</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Choose an action to change its shortcut</source>
-        <translation type="unfinished"></translation>
+        <translation>选择一个操作以更改其快捷键</translation>
     </message>
     <message>
         <source>Press the new keys here</source>
-        <translation type="unfinished"></translation>
+        <translation>在此按下新的键</translation>
     </message>
     <message>
         <source>Keys of the chosen action</source>
-        <translation type="unfinished"></translation>
+        <translation>所选操作的键</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>全部重置</translation>
     </message>
     <message>
         <source>Give every action the keys that it came with</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复每个操作原有的键</translation>
     </message>
     <message>
         <source>Changed; it came with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已更改；原为 %1</translation>
     </message>
     <message>
         <source>Choose an action to change its shortcut.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择一个操作以更改其快捷键。</translation>
     </message>
     <message>
         <source>%1 belongs to &quot;%2&quot;: choose other keys, or take them from it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 属于“%2”：请选择其他键，或先将其从该操作取消。</translation>
     </message>
 </context>
 <context>
     <name>vestige::SideDock</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助</translation>
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>指南</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Close (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭 (Esc)</translation>
     </message>
     <message>
         <source>Close help</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭帮助</translation>
     </message>
 </context>
 <context>
     <name>vestige::SnapButton</name>
     <message>
         <source>What a pick is taken on (N for the next)</source>
-        <translation type="unfinished"></translation>
+        <translation>点选所捕捉的特征（按 N 键切换到下一种）</translation>
     </message>
     <message>
         <source>Snap: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>捕捉：%1</translation>
     </message>
 </context>
 <context>
@@ -2804,55 +2804,55 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::StepBar</name>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
 </context>
 <context>
     <name>vestige::StepButton</name>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成</translation>
     </message>
     <message>
         <source>optional</source>
-        <translation type="unfinished"></translation>
+        <translation>可选</translation>
     </message>
     <message>
         <source>something is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>尚缺内容</translation>
     </message>
     <message>
         <source>comes later</source>
-        <translation type="unfinished"></translation>
+        <translation>须待前面的步骤</translation>
     </message>
     <message>
         <source>Step %1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 步，%2：%3</translation>
     </message>
 </context>
 <context>
     <name>vestige::StepTabs</name>
     <message>
         <source>Panels of the step</source>
-        <translation type="unfinished"></translation>
+        <translation>该步骤的面板</translation>
     </message>
 </context>
 <context>
     <name>vestige::StepsList</name>
     <message>
         <source>Nothing is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有尚缺内容。</translation>
     </message>
     <message>
         <source>Go to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>转到“%1”</translation>
     </message>
 </context>
 <context>
     <name>vestige::ViewBar</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -2863,58 +2863,58 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Save view</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图</translation>
     </message>
     <message>
         <source>Named views</source>
-        <translation type="unfinished"></translation>
+        <translation>命名视图</translation>
     </message>
     <message>
         <source>%1 keeps the view in the case, for you and the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 将视图保存在案件中，供您和报告使用。</translation>
     </message>
     <message>
         <source>Saved views</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存的视图</translation>
     </message>
     <message>
         <source>Click: go there. Double click or F2: rename. Right click: update, scale, report, delete.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击：转到该视图。双击或 F2：重命名。右键单击：更新、比例尺、报告、删除。</translation>
     </message>
     <message>
         <source>Go there</source>
-        <translation type="unfinished"></translation>
+        <translation>转到该视图</translation>
     </message>
     <message>
         <source>Replace by what is seen now</source>
-        <translation type="unfinished"></translation>
+        <translation>以当前所见替换</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名</translation>
     </message>
     <message>
         <source>In the report</source>
-        <translation type="unfinished"></translation>
+        <translation>纳入报告</translation>
     </message>
     <message>
         <source>Scale in print</source>
-        <translation type="unfinished"></translation>
+        <translation>打印比例尺</translation>
     </message>
     <message>
         <source>As large as the page allows</source>
-        <translation type="unfinished"></translation>
+        <translation>按页面所容最大尺寸</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>删除</translation>
     </message>
 </context>
 <context>
     <name>vestige::WatchReactions</name>
     <message>
         <source>From now on it is measured how long the window takes to answer. Work on, then choose this again.</source>
-        <translation type="unfinished"></translation>
+        <translation>从现在起测量窗口的响应时间。请继续工作，然后再次选择此项。</translation>
     </message>
 </context>
 <context>
@@ -2929,110 +2929,110 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Cases and scans that you open will stand here.</source>
-        <translation type="unfinished"></translation>
+        <translation>您打开的案件和扫描将列在此处。</translation>
     </message>
     <message>
         <source>Begin</source>
-        <translation type="unfinished"></translation>
+        <translation>开始</translation>
     </message>
     <message>
         <source>New case</source>
-        <translation type="unfinished"></translation>
+        <translation>新建案件</translation>
     </message>
     <message>
         <source>Name it and add its scans</source>
-        <translation type="unfinished"></translation>
+        <translation>为其命名并添加扫描</translation>
     </message>
     <message>
         <source>A saved case, .vestige or case.json</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存的案件，.vestige 或 case.json</translation>
     </message>
     <message>
         <source>Open scans</source>
-        <translation type="unfinished"></translation>
+        <translation>打开扫描</translation>
     </message>
     <message>
         <source>Look at clouds and meshes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>立即查看点云和网格</translation>
     </message>
     <message>
         <source>Sample case</source>
-        <translation type="unfinished"></translation>
+        <translation>示例案件</translation>
     </message>
     <message>
         <source>A night collision with known lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>长度已知的夜间碰撞事故</translation>
     </message>
     <message>
         <source>Recent cases and files</source>
-        <translation type="unfinished"></translation>
+        <translation>最近的案件和文件</translation>
     </message>
     <message>
         <source>A click, or Return, opens it</source>
-        <translation type="unfinished"></translation>
+        <translation>单击或按回车键打开</translation>
     </message>
     <message>
         <source>From scans to a report that stands up in court</source>
-        <translation type="unfinished"></translation>
+        <translation>从扫描到经得起法庭检验的报告</translation>
     </message>
     <message>
         <source>Everything happens on this computer; files are only ever read, and each is hashed. Scans and cases can also be dropped into the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>一切都在本机上进行；文件只会被读取，每个文件都计算哈希值。也可将扫描和案件拖放到窗口中。</translation>
     </message>
     <message>
         <source>Scans of any scanner; the first is the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>任何扫描仪的扫描；第一个为基准</translation>
     </message>
     <message>
         <source>Register them, and see whether the fit is good</source>
-        <translation type="unfinished"></translation>
+        <translation>进行配准，并查看吻合是否良好</translation>
     </message>
     <message>
         <source>Take away what disturbs; the files stay</source>
-        <translation type="unfinished"></translation>
+        <translation>移除干扰物；文件保持不变</translation>
     </message>
     <message>
         <source>Three repeats each, with their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>每项测量三次，并给出不确定度</translation>
     </message>
     <message>
         <source>PDF, tables, pictures and every hash</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF、表格、图片和全部哈希值</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到</translation>
     </message>
     <message>
         <source>%1 is not there now. A click takes it off the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 现已不存在。单击可将其从列表中移除。</translation>
     </message>
 </context>
 <context>
     <name>vestige::WindowReactions</name>
     <message>
         <source>There is no picture yet: add scans first.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无图片：请先添加扫描。</translation>
     </message>
     <message>
         <source>The view is on the clipboard, %1 × %2 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>视图已复制到剪贴板，%1 × %2 像素。</translation>
     </message>
     <message>
         <source>There is nothing to copy: the table is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可复制的内容：表格为空。</translation>
     </message>
     <message>
         <source>%1 rows are on the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>已将 %1 行复制到剪贴板。</translation>
     </message>
     <message>
         <source>Vestige shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Vestige 快捷键</translation>
     </message>
     <message>
         <source>The shortcuts are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键已存入 %1。</translation>
     </message>
 </context>
 <context>
@@ -3047,19 +3047,19 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Registration</source>
-        <translation type="unfinished">配准</translation>
+        <translation>配准</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>清理</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
 </context>
 </TS>
