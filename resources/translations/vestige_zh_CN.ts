@@ -5,95 +5,95 @@
     <name>PointClass</name>
     <message>
         <source>never classified</source>
-        <translation type="unfinished"></translation>
+        <translation>从未分类</translation>
     </message>
     <message>
         <source>unclassified</source>
-        <translation type="unfinished"></translation>
+        <translation>未分类</translation>
     </message>
     <message>
         <source>ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面</translation>
     </message>
     <message>
         <source>low vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>低矮植被</translation>
     </message>
     <message>
         <source>medium vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>中等高度植被</translation>
     </message>
     <message>
         <source>high vegetation</source>
-        <translation type="unfinished"></translation>
+        <translation>高大植被</translation>
     </message>
     <message>
         <source>building</source>
-        <translation type="unfinished"></translation>
+        <translation>建筑物</translation>
     </message>
     <message>
         <source>low noise</source>
-        <translation type="unfinished"></translation>
+        <translation>低位噪声点</translation>
     </message>
     <message>
         <source>model key point</source>
-        <translation type="unfinished"></translation>
+        <translation>模型关键点</translation>
     </message>
     <message>
         <source>water</source>
-        <translation type="unfinished"></translation>
+        <translation>水体</translation>
     </message>
     <message>
         <source>rail</source>
-        <translation type="unfinished"></translation>
+        <translation>铁轨</translation>
     </message>
     <message>
         <source>road surface</source>
-        <translation type="unfinished"></translation>
+        <translation>路面</translation>
     </message>
     <message>
         <source>overlap</source>
-        <translation type="unfinished">重叠度</translation>
+        <translation>重叠区</translation>
     </message>
     <message>
         <source>wire, guard</source>
-        <translation type="unfinished"></translation>
+        <translation>架空地线</translation>
     </message>
     <message>
         <source>wire, conductor</source>
-        <translation type="unfinished"></translation>
+        <translation>导线</translation>
     </message>
     <message>
         <source>transmission tower</source>
-        <translation type="unfinished"></translation>
+        <translation>输电塔</translation>
     </message>
     <message>
         <source>wire connector</source>
-        <translation type="unfinished"></translation>
+        <translation>导线连接件</translation>
     </message>
     <message>
         <source>bridge deck</source>
-        <translation type="unfinished"></translation>
+        <translation>桥面</translation>
     </message>
     <message>
         <source>high noise</source>
-        <translation type="unfinished"></translation>
+        <translation>高位噪声点</translation>
     </message>
     <message>
         <source>overhead structure</source>
-        <translation type="unfinished"></translation>
+        <translation>架空构筑物</translation>
     </message>
     <message>
         <source>ignored ground</source>
-        <translation type="unfinished"></translation>
+        <translation>忽略的地面</translation>
     </message>
     <message>
         <source>snow</source>
-        <translation type="unfinished"></translation>
+        <translation>积雪</translation>
     </message>
     <message>
         <source>temporal exclusion</source>
-        <translation type="unfinished"></translation>
+        <translation>时间性排除</translation>
     </message>
 </context>
 <context>
@@ -538,429 +538,394 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Export as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>导出为 CSV</translation>
     </message>
     <message>
         <source>Tables</source>
-        <translation type="unfinished"></translation>
+        <translation>表格</translation>
     </message>
     <message>
         <source>Save shortcut sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>保存快捷键表</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>文本</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标</translation>
     </message>
     <message>
         <source>Turn about the point under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>绕光标处的点旋转</translation>
     </message>
     <message>
         <source>left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>左键拖动</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>平移</translation>
     </message>
     <message>
         <source>right or middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>右键或中键拖动</translation>
     </message>
     <message>
         <source>Zoom to the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>向光标处缩放</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>滚轮</translation>
     </message>
     <message>
         <source>Vestige shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Vestige 快捷键</translation>
     </message>
     <message>
         <source>no scans yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无扫描</translation>
     </message>
     <message>
         <source>Add the scans of the scene; the first is the frame of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加现场的扫描；第一个扫描为所有其他扫描的基准。</translation>
     </message>
     <message>
         <source>%1 was not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 未读取</translation>
     </message>
     <message>
         <source>%1 files were not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个文件未读取</translation>
     </message>
     <message>
         <source>%1 is still being read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 仍在读取</translation>
     </message>
     <message>
         <source>%1 files are still being read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个文件仍在读取</translation>
     </message>
     <message>
         <source>1 scan, %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个扫描，%1 个点</translation>
     </message>
     <message>
         <source>%1 scans, %2 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描，%2 个点</translation>
     </message>
     <message>
         <source>Comes after the scans are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>须先读取扫描。</translation>
     </message>
     <message>
         <source>no layer is the target</source>
-        <translation type="unfinished"></translation>
+        <translation>没有目标图层</translation>
     </message>
     <message>
         <source>%1 is not registered</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 尚未配准</translation>
     </message>
     <message>
         <source>%1 scans are not registered</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描尚未配准</translation>
     </message>
     <message>
         <source>the fit of %1 is doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的配准存疑</translation>
     </message>
     <message>
         <source>%1 fits are doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个配准存疑</translation>
     </message>
     <message>
         <source>One scan: there is nothing to align.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个扫描：无需对齐。</translation>
     </message>
     <message>
         <source>No scan needs to be registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有需要配准的扫描。</translation>
     </message>
     <message>
         <source>1 scan is registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个扫描已配准。</translation>
     </message>
     <message>
         <source>%1 scans are registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描已配准。</translation>
     </message>
     <message>
         <source>Optional: take away what disturbs, separate objects.</source>
-        <translation type="unfinished"></translation>
+        <translation>可选：移除干扰物，分离物体。</translation>
     </message>
     <message>
         <source>%1 layers cleaned, %2 objects separated.</source>
-        <translation type="unfinished"></translation>
+        <translation>已清理 %1 个图层，已分离 %2 个物体。</translation>
     </message>
     <message>
         <source>nothing is measured yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未测量任何对象</translation>
     </message>
     <message>
         <source>%1 has recorded aims to take</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有记录的点选待采用</translation>
     </message>
     <message>
         <source>%1 objects have recorded aims to take</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象有记录的点选待采用</translation>
     </message>
     <message>
         <source>%1 is not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 尚未测量</translation>
     </message>
     <message>
         <source>%1 objects are not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象尚未测量</translation>
     </message>
     <message>
         <source>%1 has fewer than 3 repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的测量不足 3 次</translation>
     </message>
     <message>
         <source>%1 objects have fewer than 3 repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象的测量不足 3 次</translation>
     </message>
     <message>
         <source>1 object</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个对象</translation>
     </message>
     <message>
         <source>%1 objects</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象</translation>
     </message>
     <message>
         <source>Comes after something is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>须先进行测量。</translation>
     </message>
     <message>
         <source>%1 has no tape value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有卷尺值</translation>
     </message>
     <message>
         <source>%1 objects without a tape value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对象没有卷尺值</translation>
     </message>
     <message>
         <source>no operator is named</source>
-        <translation type="unfinished"></translation>
+        <translation>未填写操作人员</translation>
     </message>
     <message>
         <source>not written yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未生成</translation>
     </message>
     <message>
         <source>Written, and nothing has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>已生成，此后没有任何更改。</translation>
     </message>
     <message>
         <source>Not written of the case as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未按案件的当前状态生成。</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>Align</source>
-        <translation type="unfinished">对齐</translation>
+        <translation>对齐</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>清理</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished">测量</translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>95 % interval: %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 区间：%1 %2</translation>
     </message>
     <message>
         <source>Repeats: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>各次测量：%1</translation>
     </message>
     <message>
         <source>u = %1, degrees of freedom %2, k = %3</source>
-        <translation type="unfinished"></translation>
+        <translation>u = %1，自由度 %2，k = %3</translation>
     </message>
     <message>
         <source>One repeat only: its scatter is not known, so there is no U.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一次测量：其离散未知，因此没有 U。</translation>
     </message>
     <message>
         <source>%1: standard uncertainty %2 (%3, degrees of freedom %4), which makes %5 of the figure</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：标准不确定度 %2（%3，自由度 %4），对该量的贡献为 %5</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>%1, taken for it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，按此采用</translation>
     </message>
     <message>
         <source>Loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>载入情况</translation>
     </message>
     <message>
         <source>once all of it is read</source>
-        <translation type="unfinished"></translation>
+        <translation>全部读取后给出</translation>
     </message>
     <message>
         <source>shown; its square, or Space, hides it</source>
-        <translation type="unfinished"></translation>
+        <translation>已显示；单击其方块或按空格键可隐藏</translation>
     </message>
     <message>
         <source>hidden; its square, or Space, shows it</source>
-        <translation type="unfinished"></translation>
+        <translation>已隐藏；单击其方块或按空格键可显示</translation>
     </message>
     <message>
         <source>Files of a report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告的文件</translation>
     </message>
     <message>
         <source>method, lengths, errors, pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>方法、长度、误差、图片</translation>
     </message>
     <message>
         <source>every length, every digit</source>
-        <translation type="unfinished"></translation>
+        <translation>每个长度，全部位数</translation>
     </message>
     <message>
         <source>errors by method</source>
-        <translation type="unfinished"></translation>
+        <translation>各方法的误差</translation>
     </message>
     <message>
         <source>poses and what they are worth</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿及其可信程度</translation>
     </message>
     <message>
         <source>all registered scans as one cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>所有已配准的扫描合成的一个点云</translation>
     </message>
     <message>
         <source>the scene and each object</source>
-        <translation type="unfinished"></translation>
+        <translation>现场和每个对象</translation>
     </message>
     <message>
         <source>hashes of inputs and outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输入和输出文件的哈希值</translation>
     </message>
     <message>
         <source>not in report</source>
-        <translation type="unfinished"></translation>
+        <translation>不在报告中</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>类别</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>更多</translation>
     </message>
     <message>
         <source>Measure something else: heights, angles, lines, arcs, areas, crush ...</source>
-        <translation type="unfinished"></translation>
+        <translation>测量其他内容：高度、角度、折线、圆弧、面积、变形量……</translation>
     </message>
     <message>
         <source>Kinds of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量类型</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>比较</translation>
     </message>
     <message>
         <source>today %1</source>
-        <translation type="unfinished"></translation>
+        <translation>今天 %1</translation>
     </message>
     <message>
         <source>yesterday %1</source>
-        <translation type="unfinished"></translation>
+        <translation>昨天 %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1, being fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，正在拟合</translation>
     </message>
     <message>
         <source>no point here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有点</translation>
     </message>
     <message>
         <source>no %1 here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有%1</translation>
     </message>
     <message>
         <source>point, spacing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>点，间距 %1</translation>
     </message>
     <message>
         <source>circle, ⌀ %1 m, σ %2</source>
-        <translation type="unfinished"></translation>
+        <translation>圆，⌀ %1 m，σ %2</translation>
     </message>
     <message>
         <source>%1, σ %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，σ %2</translation>
     </message>
     <message>
         <source>1 repeat: %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>1 次测量：%1 m</translation>
     </message>
     <message>
         <source>%1 repeats: mean %2 m, SD %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次测量：平均值 %2 m，标准差 %3</translation>
     </message>
     <message>
         <source>; the last one %1 from the mean of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>；最后一次与其余各次平均值相差 %1</translation>
     </message>
 </context>
 <context>
     <name>TimeLeft</name>
     <message>
         <source>1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩 1 s</translation>
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩 %1 s</translation>
     </message>
     <message>
         <source>about %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩约 %1 s</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>vestige</name>
-    <message>
-        <source>Contents</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contents of the guide</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Return finds the next place, Shift+Return the one before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Place before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation type="unfinished"></translation>
+        <translation>还剩 %1 min</translation>
     </message>
 </context>
 <context>
@@ -1052,364 +1017,364 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Saving…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在保存……</translation>
     </message>
 </context>
 <context>
     <name>vestige::BudgetPanel</name>
     <message>
         <source>Selected object</source>
-        <translation type="unfinished"></translation>
+        <translation>所选对象</translation>
     </message>
     <message>
         <source>Select an object in the table to see its figures and what their uncertainty is made of.</source>
-        <translation type="unfinished"></translation>
+        <translation>在表中选择一个对象，查看其各项数值及其不确定度的构成。</translation>
     </message>
     <message>
         <source>Kind of measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量类型</translation>
     </message>
     <message>
         <source>Tolerance of the known distance, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离的容差，以米为单位</translation>
     </message>
     <message>
         <source>How far the measured length may differ from the tape; metres above 0, usually %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测量长度与卷尺值允许相差多少；大于 0 的米数，通常为 %1</translation>
     </message>
     <message>
         <source>within ±</source>
-        <translation type="unfinished"></translation>
+        <translation>容差 ±</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no tolerance: expected metres above 0, such as 0.02.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是容差：应为大于 0 的米数，例如 0.02。</translation>
     </message>
     <message>
         <source>. Choose its tool above the view and click; three repeats make a measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>。请在视图上方选择其工具并单击；重复三次构成一次测量。</translation>
     </message>
 </context>
 <context>
     <name>vestige::CaseForm</name>
     <message>
         <source>How the case is called in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>案件在报告中的名称</translation>
     </message>
     <message>
         <source>Case 2025-0317, open road</source>
-        <translation type="unfinished"></translation>
+        <translation>案件 2025-0317，开阔路段</translation>
     </message>
     <message>
         <source>Who answers for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>对报告负责的人员</translation>
     </message>
     <message>
         <source>Name of the analyst</source>
-        <translation type="unfinished"></translation>
+        <translation>分析人员姓名</translation>
     </message>
     <message>
         <source>WGS 84, -90 to 90; only with the longitude</source>
-        <translation type="unfinished"></translation>
+        <translation>WGS 84，-90 至 90；须与经度一并填写</translation>
     </message>
     <message>
         <source>WGS 84, -180 to 180; only with the latitude</source>
-        <translation type="unfinished"></translation>
+        <translation>WGS 84，-180 至 180；须与纬度一并填写</translation>
     </message>
     <message>
         <source>Above the sea, -500 to 9000; 0 where nothing is given</source>
-        <translation type="unfinished"></translation>
+        <translation>海拔，-500 至 9000；未填写时为 0</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Operator</source>
-        <translation type="unfinished"></translation>
+        <translation>操作人员</translation>
     </message>
     <message>
         <source>Latitude, °</source>
-        <translation type="unfinished"></translation>
+        <translation>纬度，°</translation>
     </message>
     <message>
         <source>Longitude, °</source>
-        <translation type="unfinished"></translation>
+        <translation>经度，°</translation>
     </message>
     <message>
         <source>Height, m</source>
-        <translation type="unfinished"></translation>
+        <translation>高程，m</translation>
     </message>
     <message>
         <source>The place is not taken: the latitude is -90 to 90 degrees, the longitude -180 to 180, the height -500 to 9000 metres, each with &apos;.&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>未采用该地点：纬度应为 -90 至 90 度，经度应为 -180 至 180 度，高程应为 -500 至 9000 米，均以“.”作小数点。</translation>
     </message>
 </context>
 <context>
     <name>vestige::CleanPanel</name>
     <message>
         <source>Select by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动选择</translation>
     </message>
     <message>
         <source>Draw round what does not belong to the scene: a passer-by, a moving car.</source>
-        <translation type="unfinished"></translation>
+        <translation>圈出不属于现场的内容：路过的行人、行驶中的车辆。</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>离群点</translation>
     </message>
     <message>
         <source>Single points in the air: echoes of rain, dust and edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中的孤立点：雨滴、灰尘和边缘产生的回波。</translation>
     </message>
     <message>
         <source>Ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面</translation>
     </message>
     <message>
         <source>The surface that everything else stands on.</source>
-        <translation type="unfinished"></translation>
+        <translation>其他一切物体所在的表面。</translation>
     </message>
     <message>
         <source>Objects</source>
-        <translation type="unfinished">对象</translation>
+        <translation>物体</translation>
     </message>
     <message>
         <source>What stands on the ground and hangs together becomes an object: vehicles, debris, poles.</source>
-        <translation type="unfinished"></translation>
+        <translation>立于地面且连成一体的点成为一个物体：车辆、散落物、杆柱。</translation>
     </message>
     <message>
         <source>Taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>已移除</translation>
     </message>
     <message>
         <source>Nothing is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择任何点</translation>
     </message>
     <message>
         <source>Draw round points with the lasso (T), or let a step find them. What is selected is shown in magenta; then remove it, keep only it, or make it an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>用套索 (T) 圈选点，或由某一步骤查找。所选的点以品红色显示；然后可移除、仅保留，或设为一个物体。</translation>
     </message>
     <message>
         <source>%1 points selected</source>
-        <translation type="unfinished"></translation>
+        <translation>已选择 %1 个点</translation>
     </message>
     <message>
         <source> of %1 layers</source>
-        <translation type="unfinished"></translation>
+        <translation>，来自 %1 个图层</translation>
     </message>
     <message>
         <source>By %1, from %2 m to %3 m from the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>方式：%1，距观察点 %2 m 至 %3 m</translation>
     </message>
     <message>
         <source>By %1</source>
-        <translation type="unfinished"></translation>
+        <translation>方式：%1</translation>
     </message>
     <message>
         <source>%1 by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 %1 个</translation>
     </message>
     <message>
         <source>%1: %2 of %3 points (%4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：共 %3 个点，已移除 %2 个（%4）</translation>
     </message>
     <message>
         <source>Nothing yet. The files keep every point whatever is taken out here.</source>
-        <translation type="unfinished"></translation>
+        <translation>暂无。无论此处移除什么，文件都保留每一个点。</translation>
     </message>
 </context>
 <context>
     <name>vestige::Cleaner</name>
     <message>
         <source>. They were not taken out; Bring back forgets the cleaning.</source>
-        <translation type="unfinished"></translation>
+        <translation>。这些点未被移除；“恢复已移除的点”可取消清理。</translation>
     </message>
     <message>
         <source>Taking points out of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在从 %1 移除点</translation>
     </message>
 </context>
 <context>
     <name>vestige::CleaningReactions</name>
     <message>
         <source>remove %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1 个点</translation>
     </message>
     <message>
         <source>%1 points are taken out of the scene; their files keep them. Undo brings them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>已从现场移除 %1 个点；其文件仍保留这些点。可用“撤销”恢复。</translation>
     </message>
     <message>
         <source>bring removed points back</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复已移除的点</translation>
     </message>
     <message>
         <source>No points are selected that are still in the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>所选的点均已不在现场中。</translation>
     </message>
     <message>
         <source>No layer is loaded and shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有已载入且显示的图层。</translation>
     </message>
     <message>
         <source>Finding outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找离群点</translation>
     </message>
     <message>
         <source>%1 outliers are selected; Delete takes them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>已选择 %1 个离群点；按 Delete 键移除。</translation>
     </message>
     <message>
         <source>No layer is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有已载入的图层。</translation>
     </message>
     <message>
         <source>Finding the ground of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找 %1 的地面</translation>
     </message>
     <message>
         <source>%1 points of the ground are selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>已选择 %1 个地面点。</translation>
     </message>
     <message>
         <source>Separating what stands on the ground of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在分离 %1 地面上的物体</translation>
     </message>
     <message>
         <source>separate objects of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>分离 %1 的物体</translation>
     </message>
     <message>
         <source>Nothing of the sizes asked for stands on the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>地面上没有符合所设尺寸的物体。</translation>
     </message>
     <message>
         <source>The %1 largest of %2 objects are listed; smaller limits give fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>已列出 %2 个物体中最大的 %1 个；减小限值可使数量减少。</translation>
     </message>
     <message>
         <source>%1 objects are listed at the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>左侧已列出 %1 个物体。</translation>
     </message>
     <message>
         <source>Making an object</source>
-        <translation type="unfinished"></translation>
+        <translation>正在设为物体</translation>
     </message>
     <message>
         <source>make an object</source>
-        <translation type="unfinished"></translation>
+        <translation>设为物体</translation>
     </message>
     <message>
         <source>%1 is of points that are not loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的点未载入。</translation>
     </message>
 </context>
 <context>
     <name>vestige::CleaningTools</name>
     <message>
         <source>The points are still being read; select when all are there.</source>
-        <translation type="unfinished"></translation>
+        <translation>点仍在读取；请待全部读取后再选择。</translation>
     </message>
     <message>
         <source>Select a layer first, or let the outline take all that are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择一个图层，或将圈选范围设为所有显示的图层。</translation>
     </message>
     <message>
         <source>No layer is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有显示的图层。</translation>
     </message>
     <message>
         <source>Selecting points</source>
-        <translation type="unfinished"></translation>
+        <translation>正在选择点</translation>
     </message>
     <message>
         <source>No point lies there.</source>
-        <translation type="unfinished"></translation>
+        <translation>该处没有点。</translation>
     </message>
 </context>
 <context>
     <name>vestige::ColorBar</name>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>These colours have no range: choose height, intensity or distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>这种着色没有取值范围：请选择高程、强度或距离。</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>均匀</translation>
     </message>
     <message>
         <source>Viridis</source>
-        <translation type="unfinished"></translation>
+        <translation>翠绿 (Viridis)</translation>
     </message>
     <message>
         <source>Cividis</source>
-        <translation type="unfinished"></translation>
+        <translation>蓝黄 (Cividis)</translation>
     </message>
     <message>
         <source>Plasma</source>
-        <translation type="unfinished"></translation>
+        <translation>紫黄 (Plasma)</translation>
     </message>
     <message>
         <source>Grey</source>
-        <translation type="unfinished"></translation>
+        <translation>灰度</translation>
     </message>
     <message>
         <source>Colours of heights</source>
-        <translation type="unfinished"></translation>
+        <translation>高程的颜色</translation>
     </message>
     <message>
         <source>Colours of heights; equal steps of them look equal. Cividis looks alike to nearly every eye</source>
-        <translation type="unfinished"></translation>
+        <translation>高程的颜色；相等的高差看起来差别也相等。“蓝黄 (Cividis)”对几乎所有人的眼睛都一样</translation>
     </message>
     <message>
         <source>Lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>最低</translation>
     </message>
     <message>
         <source>Where the colours begin</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色的起点</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最高</translation>
     </message>
     <message>
         <source>Where the colours end</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色的终点</translation>
     </message>
     <message>
         <source>Left out</source>
-        <translation type="unfinished"></translation>
+        <translation>舍去</translation>
     </message>
     <message>
         <source>Share of the values left out at either end: 0 to 40 %. Goes back to a range from the values</source>
-        <translation type="unfinished"></translation>
+        <translation>两端各舍去的数值比例：0 至 40 %。范围将重新由数值求得</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>Intensity</source>
-        <translation type="unfinished">强度</translation>
+        <translation>强度</translation>
     </message>
     <message>
         <source>Distance, m</source>
-        <translation type="unfinished"></translation>
+        <translation>距离，m</translation>
     </message>
     <message>
         <source>Height, m</source>
-        <translation type="unfinished"></translation>
+        <translation>高程，m</translation>
     </message>
 </context>
 <context>
@@ -1436,11 +1401,11 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Amount</source>
-        <translation type="unfinished"></translation>
+        <translation>调节量</translation>
     </message>
     <message>
         <source>Back to the plain view</source>
-        <translation type="unfinished"></translation>
+        <translation>返回普通视图</translation>
     </message>
 </context>
 <context>
@@ -1492,26 +1457,26 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <name>vestige::EmptyCasePage</name>
     <message>
         <source>A new case</source>
-        <translation type="unfinished"></translation>
+        <translation>新案件</translation>
     </message>
     <message>
         <source>Add the scans of the scene, the aerial cloud first: it becomes the frame that all others are registered to. Files can also be dropped here.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加现场的扫描，先添加航测点云：它将成为所有其他扫描配准的基准。也可将文件拖放到此处。</translation>
     </message>
     <message>
         <source>For the report, now or later</source>
-        <translation type="unfinished"></translation>
+        <translation>报告所需信息，可现在或以后填写</translation>
     </message>
 </context>
 <context>
     <name>vestige::EventWatch</name>
     <message>
         <source>The window was held for at most %1 ms by one of %2 events; longest drawing call %3 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %2 个事件中，窗口最长一次被占用 %1 ms；最长的一次绘图调用为 %3 ms</translation>
     </message>
     <message>
         <source>%1 ms (%2 times): %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms（%2 次）：%3</translation>
     </message>
 </context>
 <context>
@@ -1552,55 +1517,55 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <name>vestige::ExchangeReactions</name>
     <message>
         <source>Import picks</source>
-        <translation type="unfinished"></translation>
+        <translation>导入点选</translation>
     </message>
     <message>
         <source>Import tape values</source>
-        <translation type="unfinished"></translation>
+        <translation>导入卷尺值</translation>
     </message>
     <message>
         <source>%1 has corresponding points: select the layer that they belong to, which is not the target, and import them again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 含有对应点：请选择这些点所属的图层（不能是目标图层），然后重新导入。</translation>
     </message>
     <message>
         <source>%1 now starts from these pairs; Register (Ctrl+G) goes on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 现以这些点对为起点；“配准”(Ctrl+G) 由此继续。</translation>
     </message>
     <message>
         <source>The case has all of these picks already.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件已有全部这些点选。</translation>
     </message>
     <message>
         <source>import picks</source>
-        <translation type="unfinished"></translation>
+        <translation>导入点选</translation>
     </message>
     <message>
         <source>%1 repeats of %2 were taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用 %2 的 %1 次测量。</translation>
     </message>
     <message>
         <source>%1 repeats of %2 objects were taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用 %2 个对象的 %1 次测量。</translation>
     </message>
     <message>
         <source>%1 were there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 次此前已存在。</translation>
     </message>
     <message>
         <source>The case has all of these values already.</source>
-        <translation type="unfinished"></translation>
+        <translation>案件已有全部这些值。</translation>
     </message>
     <message>
         <source>import tape values</source>
-        <translation type="unfinished"></translation>
+        <translation>导入卷尺值</translation>
     </message>
     <message>
         <source>%1 objects were added or changed. Measured lengths come of picks and were not taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>已添加或更改 %1 个对象。测量长度由点选得出，未予采用。</translation>
     </message>
     <message>
         <source>The picks are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>点选已存入 %1。</translation>
     </message>
 </context>
 <context>
@@ -1619,30 +1584,30 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写入 %1</translation>
     </message>
 </context>
 <context>
     <name>vestige::FiguresTree</name>
     <message>
         <source>Figures and uncertainty budgets</source>
-        <translation type="unfinished"></translation>
+        <translation>各项数值及不确定度分量</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>数值</translation>
     </message>
     <message>
         <source>U 95 %</source>
-        <translation type="unfinished">U 95 %</translation>
+        <translation>U 95 %</translation>
     </message>
     <message>
         <source>Share</source>
-        <translation type="unfinished"></translation>
+        <translation>占比</translation>
     </message>
 </context>
 <context>
@@ -1657,7 +1622,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Waiting for the disk to take the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在等待磁盘写入案件……</translation>
     </message>
 </context>
 <context>
@@ -1741,7 +1706,42 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>迭代</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::GuidePage</name>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Contents of the guide</source>
+        <translation>指南目录</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Return finds the next place, Shift+Return the one before</source>
+        <translation>回车键查找下一处，Shift+回车键查找上一处</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>搜索指南</translation>
+    </message>
+    <message>
+        <source>Place before</source>
+        <translation>上一处</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>用户指南</translation>
     </message>
 </context>
 <context>
@@ -1760,72 +1760,72 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>The case is saved as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>案件已按当前状态保存</translation>
     </message>
     <message>
         <source>Save case (Ctrl+S) makes what you see the case</source>
-        <translation type="unfinished"></translation>
+        <translation>“保存案件”(Ctrl+S) 将当前所见内容存为案件</translation>
     </message>
     <message>
         <source>not saved, changes kept %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存，更改已于 %1 暂存</translation>
     </message>
 </context>
 <context>
     <name>vestige::HistoryPanel</name>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>历史记录</translation>
     </message>
     <message>
         <source>Close the history</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭历史记录</translation>
     </message>
     <message>
         <source>A click takes the case to that step</source>
-        <translation type="unfinished"></translation>
+        <translation>单击可使案件回到该步</translation>
     </message>
     <message>
         <source>As it was opened</source>
-        <translation type="unfinished"></translation>
+        <translation>打开时的状态</translation>
     </message>
     <message>
         <source>the present step</source>
-        <translation type="unfinished"></translation>
+        <translation>当前步骤</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>已执行</translation>
     </message>
     <message>
         <source>undone</source>
-        <translation type="unfinished"></translation>
+        <translation>已撤销</translation>
     </message>
 </context>
 <context>
     <name>vestige::ImportPanel</name>
     <message>
         <source>Add the scans of the scene: clouds and meshes, by this button or dropped into the window. The first is the frame that the others are registered to. Files are only ever read; each is hashed.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加现场的扫描：点云和网格，可用此按钮添加或拖放到窗口中。第一个扫描为其他扫描配准的基准。文件只会被读取；每个文件都计算哈希值。</translation>
     </message>
     <message>
         <source>Scans</source>
-        <translation type="unfinished">扫描</translation>
+        <translation>扫描</translation>
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished">图层</translation>
+        <translation>图层</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
 </context>
 <context>
     <name>vestige::KindReactions</name>
     <message>
         <source>Type the known distance into the tape column of &quot;%1&quot;; its tolerance stands below the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将已知距离填入“%1”的卷尺列；其容差在表格下方。</translation>
     </message>
 </context>
 <context>
@@ -1872,15 +1872,15 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>How the layer is called in the window and in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>图层在窗口和报告中的名称</translation>
     </message>
     <message>
         <source>What made the scan: it says how precise it is, and what is registered</source>
-        <translation type="unfinished"></translation>
+        <translation>扫描的来源：说明其精密程度以及哪些需要配准</translation>
     </message>
     <message>
         <source>What the file&apos;s coordinates are in; recognised from the file where nothing is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>文件坐标的单位；未选择时由文件自动识别</translation>
     </message>
 </context>
 <context>
@@ -1958,18 +1958,18 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Looking for changes that were not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找未保存的更改</translation>
     </message>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>（%1）</translation>
     </message>
 </context>
 <context>
     <name>vestige::Loupe</name>
     <message>
         <source>Loupe</source>
-        <translation type="unfinished"></translation>
+        <translation>放大镜</translation>
     </message>
 </context>
 <context>
@@ -1999,15 +1999,15 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>click the second end %1, Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>单击第二个端点，%1；按 Esc 放弃</translation>
     </message>
     <message>
         <source>click the first end %1</source>
-        <translation type="unfinished"></translation>
+        <translation>单击第一个端点，%1</translation>
     </message>
     <message>
         <source>What is found is drawn before the click. N: the next kind of snap.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击之前即画出所找到的特征。N 键：切换到下一种捕捉。</translation>
     </message>
 </context>
 <context>
@@ -2062,15 +2062,15 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>A known distance: it may be off by %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>已知距离：允许相差 %1 m</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no reference: expected a number above 0, in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是参考值：应为大于 0 的数，单位为 %2。</translation>
     </message>
 </context>
 <context>
@@ -2093,27 +2093,27 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>测量方法</translation>
     </message>
     <message>
         <source>Not verified: no known distance of this method has been checked. Mark an object whose length is known as &quot;Known distance&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>未校核：尚未用此方法校核任何已知距离。请将一个长度已知的对象标为“已知距离”。</translation>
     </message>
     <message>
         <source>Verified: the known distance agrees within its tolerance.</source>
-        <translation type="unfinished"></translation>
+        <translation>已校核：已知距离在容差范围内相符。</translation>
     </message>
     <message>
         <source>CHECK FAILED:</source>
-        <translation type="unfinished"></translation>
+        <translation>校核不合格：</translation>
     </message>
     <message>
         <source> %1 is off by %2, %3 allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 相差 %2，允许 %3。</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
 </context>
 <context>
@@ -2153,19 +2153,19 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::OutlineTool</name>
     <message>
         <source>Drag a box round points. Shift adds, Ctrl takes away; Alt+drag turns the view</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动方框框选点。Shift 加选，Ctrl 减选；Alt+拖动可旋转视图</translation>
     </message>
     <message>
         <source>Let go, or click the opposite corner; Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>松开鼠标，或单击对角；按 Esc 放弃</translation>
     </message>
     <message>
         <source>Click round points, or draw round them. Shift adds, Ctrl takes away; Alt+drag turns the view</source>
-        <translation type="unfinished"></translation>
+        <translation>依次单击圈出点，或拖动圈画。Shift 加选，Ctrl 减选；Alt+拖动可旋转视图</translation>
     </message>
     <message>
         <source>%1 corners: double-click, Return or right-click closes, Backspace takes one back, Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个顶点：双击、回车键或右键单击闭合，Backspace 退回一个，Esc 放弃</translation>
     </message>
 </context>
 <context>
@@ -2179,274 +2179,274 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::PartsPanel</name>
     <message>
         <source>vehicle</source>
-        <translation type="unfinished"></translation>
+        <translation>车辆</translation>
     </message>
     <message>
         <source>debris</source>
-        <translation type="unfinished"></translation>
+        <translation>散落物</translation>
     </message>
     <message>
         <source>pole or plant</source>
-        <translation type="unfinished"></translation>
+        <translation>杆柱或植物</translation>
     </message>
     <message>
         <source>ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地面</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>其他</translation>
     </message>
     <message>
         <source>%1: %2, %3 points of %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2，%3 个点，来自 %4</translation>
     </message>
     <message>
         <source>%1 m, the upright box round its points; no measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m，包围其各点的直立长方体；并非测量结果</translation>
     </message>
     <message>
         <source>Its points are of another file or part than the one that is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>其点属于另一文件或另一部分，与所载入的不同。</translation>
     </message>
     <message>
         <source>Parts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场物体</translation>
     </message>
     <message>
         <source>None yet. Clean (Ctrl+4) separates vehicles and debris.</source>
-        <translation type="unfinished"></translation>
+        <translation>暂无。“清理”(Ctrl+4) 可分离车辆和散落物。</translation>
     </message>
     <message>
         <source>Tick to show, double-click to rename</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选可显示，双击可重命名</translation>
     </message>
     <message>
         <source>It is: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>类别：%1</translation>
     </message>
 </context>
 <context>
     <name>vestige::PathTool</name>
     <message>
         <source>There is no point within 6 pixels of this click.</source>
-        <translation type="unfinished">此次单击的 6 像素范围内没有点。</translation>
+        <translation>此次单击的 6 像素范围内没有点。</translation>
     </message>
     <message>
         <source>A path has %1 points at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>一条路径最多有 %1 个点。</translation>
     </message>
     <message>
         <source>This needs %1 points or more; there are %2. Esc gives up.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处至少需要 %1 个点；现有 %2 个。按 Esc 放弃。</translation>
     </message>
     <message>
         <source>pick %1, repeat 1</source>
-        <translation type="unfinished"></translation>
+        <translation>点选 %1，第 1 次</translation>
     </message>
     <message>
         <source>New: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>新建：%1</translation>
     </message>
     <message>
         <source>repeat %1 of 3</source>
-        <translation type="unfinished">第 %1 次，共 3 次</translation>
+        <translation>第 %1 次，共 3 次</translation>
     </message>
     <message>
         <source>repeat %1</source>
-        <translation type="unfinished">第 %1 次</translation>
+        <translation>第 %1 次</translation>
     </message>
     <message>
         <source>click %1</source>
-        <translation type="unfinished"></translation>
+        <translation>单击%1</translation>
     </message>
     <message>
         <source>; double click or Enter ends</source>
-        <translation type="unfinished"></translation>
+        <translation>；双击或回车键结束</translation>
     </message>
     <message>
         <source>; Backspace takes the last point back, Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>；Backspace 退回上一点，Esc 放弃</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
-        <translation type="unfinished">%1，%2：%3</translation>
+        <translation>%1，%2：%3</translation>
     </message>
 </context>
 <context>
     <name>vestige::PickChoices</name>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>edge</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘</translation>
     </message>
     <message>
         <source>corner</source>
-        <translation type="unfinished"></translation>
+        <translation>角点</translation>
     </message>
     <message>
         <source>highest</source>
-        <translation type="unfinished"></translation>
+        <translation>最高点</translation>
     </message>
     <message>
         <source>lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>最低点</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>质心</translation>
     </message>
     <message>
         <source>at the nearest point</source>
-        <translation type="unfinished"></translation>
+        <translation>取最近点</translation>
     </message>
     <message>
         <source>on the local plane</source>
-        <translation type="unfinished"></translation>
+        <translation>取局部平面上的点</translation>
     </message>
     <message>
         <source>on an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>取边缘上的点</translation>
     </message>
     <message>
         <source>at a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>取角点</translation>
     </message>
     <message>
         <source>at the highest point</source>
-        <translation type="unfinished"></translation>
+        <translation>取最高点</translation>
     </message>
     <message>
         <source>at the lowest point</source>
-        <translation type="unfinished"></translation>
+        <translation>取最低点</translation>
     </message>
     <message>
         <source>at a circle&apos;s centre</source>
-        <translation type="unfinished"></translation>
+        <translation>取圆心</translation>
     </message>
     <message>
         <source>at the centroid</source>
-        <translation type="unfinished"></translation>
+        <translation>取质心</translation>
     </message>
 </context>
 <context>
     <name>vestige::PickMover</name>
     <message>
         <source>This repeat counts for %1, the point here for %2: measure it as a repeat of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>这次测量计入 %1，而此处的点属于 %2：请将其作为单独一次测量。</translation>
     </message>
     <message>
         <source>Moving an end of repeat %1: %2, was %3 m. Esc puts it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在移动第 %1 次测量的端点：%2，原为 %3 m。按 Esc 恢复原位。</translation>
     </message>
 </context>
 <context>
     <name>vestige::PickProbe</name>
     <message>
         <source>There is no point within 6 pixels of the cursor.</source>
-        <translation type="unfinished"></translation>
+        <translation>光标的 6 像素范围内没有点。</translation>
     </message>
     <message>
         <source>Features can be fitted once all points of this layer are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>须待此图层的点全部读取后才能拟合特征。</translation>
     </message>
 </context>
 <context>
     <name>vestige::PictureBar</name>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片</translation>
     </message>
     <message>
         <source>True to scale, 1 :</source>
-        <translation type="unfinished"></translation>
+        <translation>按比例尺，1 :</translation>
     </message>
     <message>
         <source>No background</source>
-        <translation type="unfinished"></translation>
+        <translation>无背景</translation>
     </message>
     <message>
         <source>Width of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片宽度</translation>
     </message>
     <message>
         <source>Width, 16 to 32000 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>宽度，16 至 32000 像素</translation>
     </message>
     <message>
         <source>Height of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>图片高度</translation>
     </message>
     <message>
         <source>Height, 16 to 32000 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>高度，16 至 32000 像素</translation>
     </message>
     <message>
         <source>Scale of the picture, 1 to</source>
-        <translation type="unfinished"></translation>
+        <translation>图片比例尺，1 比</translation>
     </message>
     <message>
         <source>100: a metre of the scene is a centimetre on paper. The view is drawn parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>100：现场 1 米在纸上为 1 厘米。视图以平行投影绘制</translation>
     </message>
     <message>
         <source>Dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>每英寸点数</translation>
     </message>
     <message>
         <source>Dots per inch, 36 to 2400: written into the file; letters and points grow with them</source>
-        <translation type="unfinished"></translation>
+        <translation>每英寸点数，36 至 2400：写入文件；文字和点随之放大</translation>
     </message>
     <message>
         <source>One length in the picture is one length in the scene, wherever it lies</source>
-        <translation type="unfinished"></translation>
+        <translation>图片中相同的长度即为现场相同的长度，无论位于何处</translation>
     </message>
     <message>
         <source>Where nothing is drawn the picture is transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>未绘制内容的部分为透明</translation>
     </message>
     <message>
         <source>Save picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片…</translation>
     </message>
     <message>
         <source>Choose a PNG file and draw the view into it</source>
-        <translation type="unfinished"></translation>
+        <translation>选择一个 PNG 文件并将视图绘入其中</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>%1 × %2 cm on paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸上 %1 × %2 cm</translation>
     </message>
     <message>
         <source>shows %1 × %2 m on %3 × %4 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>以 %3 × %4 cm 显示 %1 × %2 m</translation>
     </message>
     <message>
         <source>This program has nothing to draw pictures with.</source>
-        <translation type="unfinished"></translation>
+        <translation>本程序没有可用于绘制图片的组件。</translation>
     </message>
     <message>
         <source>Drawing the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>正在绘制图片</translation>
     </message>
     <message>
         <source>The picture is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>图片已存入 %1。</translation>
     </message>
 </context>
 <context>
@@ -2561,31 +2561,31 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::ReportPanel</name>
     <message>
         <source>Nothing was written in this session. Export report (Ctrl+R) makes a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>本次运行尚未生成任何内容。“导出报告”(Ctrl+R) 将生成一个文件夹。</translation>
     </message>
     <message>
         <source>Case</source>
-        <translation type="unfinished"></translation>
+        <translation>案件</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>尚缺内容</translation>
     </message>
     <message>
         <source>What is written</source>
-        <translation type="unfinished"></translation>
+        <translation>报告内容</translation>
     </message>
     <message>
         <source>Written</source>
-        <translation type="unfinished"></translation>
+        <translation>已生成</translation>
     </message>
     <message>
         <source>Outputs of this session</source>
-        <translation type="unfinished"></translation>
+        <translation>本次运行的输出</translation>
     </message>
     <message>
         <source>A double click, or Return, opens it</source>
-        <translation type="unfinished"></translation>
+        <translation>双击或按回车键打开</translation>
     </message>
 </context>
 <context>
@@ -2599,11 +2599,11 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::SampleReactions</name>
     <message>
         <source>The sample scene is simulated once; that takes some minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>示例现场只需模拟一次；这需要几分钟。</translation>
     </message>
     <message>
         <source>Simulating the sample scene</source>
-        <translation type="unfinished"></translation>
+        <translation>正在模拟示例现场</translation>
     </message>
 </context>
 <context>
@@ -2617,152 +2617,152 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::SectionBar</name>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切</translation>
     </message>
     <message>
         <source>Middle</source>
-        <translation type="unfinished"></translation>
+        <translation>中心</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>Middle of the section, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切中心，%1</translation>
     </message>
     <message>
         <source>%1 of the box&apos;s middle, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切盒中心的 %1 坐标，以米为单位</translation>
     </message>
     <message>
         <source>Size of the section, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切大小，%1</translation>
     </message>
     <message>
         <source>Length of the box along its own %1 axis, metres: 0.001 or more; a slab is thin along one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切盒沿其自身 %1 轴的长度，以米为单位：不小于 0.001；切片沿其中一轴很薄</translation>
     </message>
     <message>
         <source>Turn of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切的转角</translation>
     </message>
     <message>
         <source>How the box is turned about its upright axis, from x towards y: -180 to 180 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切盒绕其竖直轴的转角，由 x 向 y：-180 至 180 度</translation>
     </message>
     <message>
         <source>Turned</source>
-        <translation type="unfinished"></translation>
+        <translation>转角</translation>
     </message>
 </context>
 <context>
     <name>vestige::ShortcutsPage</name>
     <message>
         <source>Set</source>
-        <translation type="unfinished"></translation>
+        <translation>设定</translation>
     </message>
     <message>
         <source>Give the chosen action these keys</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些键指定给所选操作</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>清除</translation>
     </message>
     <message>
         <source>Take the chosen action&apos;s shortcut away</source>
-        <translation type="unfinished"></translation>
+        <translation>取消所选操作的快捷键</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>重置</translation>
     </message>
     <message>
         <source>Give the chosen action the keys that it came with</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复所选操作原有的键</translation>
     </message>
     <message>
         <source>Search actions and keys</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索操作和键</translation>
     </message>
     <message>
         <source>Words of an action, or keys</source>
-        <translation type="unfinished"></translation>
+        <translation>操作中的字词，或键</translation>
     </message>
     <message>
         <source>Search shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索快捷键</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Choose an action to change its shortcut</source>
-        <translation type="unfinished"></translation>
+        <translation>选择一个操作以更改其快捷键</translation>
     </message>
     <message>
         <source>Press the new keys here</source>
-        <translation type="unfinished"></translation>
+        <translation>在此按下新的键</translation>
     </message>
     <message>
         <source>Keys of the chosen action</source>
-        <translation type="unfinished"></translation>
+        <translation>所选操作的键</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>全部重置</translation>
     </message>
     <message>
         <source>Give every action the keys that it came with</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复每个操作原有的键</translation>
     </message>
     <message>
         <source>Changed; it came with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已更改；原为 %1</translation>
     </message>
     <message>
         <source>Choose an action to change its shortcut.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择一个操作以更改其快捷键。</translation>
     </message>
     <message>
         <source>%1 belongs to &quot;%2&quot;: choose other keys, or take them from it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 属于“%2”：请选择其他键，或先将其从该操作取消。</translation>
     </message>
 </context>
 <context>
     <name>vestige::SideDock</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助</translation>
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>指南</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>Close (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭 (Esc)</translation>
     </message>
     <message>
         <source>Close help</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭帮助</translation>
     </message>
 </context>
 <context>
     <name>vestige::SnapButton</name>
     <message>
         <source>What a pick is taken on (N for the next)</source>
-        <translation type="unfinished"></translation>
+        <translation>点选所捕捉的特征（按 N 键切换到下一种）</translation>
     </message>
     <message>
         <source>Snap: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>捕捉：%1</translation>
     </message>
 </context>
 <context>
@@ -2804,55 +2804,55 @@ Choose Distance above the view and click the two ends of an object, three times.
     <name>vestige::StepBar</name>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
 </context>
 <context>
     <name>vestige::StepButton</name>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成</translation>
     </message>
     <message>
         <source>optional</source>
-        <translation type="unfinished"></translation>
+        <translation>可选</translation>
     </message>
     <message>
         <source>something is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>尚缺内容</translation>
     </message>
     <message>
         <source>comes later</source>
-        <translation type="unfinished"></translation>
+        <translation>须待前面的步骤</translation>
     </message>
     <message>
         <source>Step %1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 步，%2：%3</translation>
     </message>
 </context>
 <context>
     <name>vestige::StepTabs</name>
     <message>
         <source>Panels of the step</source>
-        <translation type="unfinished"></translation>
+        <translation>该步骤的面板</translation>
     </message>
 </context>
 <context>
     <name>vestige::StepsList</name>
     <message>
         <source>Nothing is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有尚缺内容。</translation>
     </message>
     <message>
         <source>Go to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>转到“%1”</translation>
     </message>
 </context>
 <context>
     <name>vestige::ViewBar</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -2863,58 +2863,58 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Save view</source>
-        <translation type="unfinished"></translation>
+        <translation>保存视图</translation>
     </message>
     <message>
         <source>Named views</source>
-        <translation type="unfinished"></translation>
+        <translation>命名视图</translation>
     </message>
     <message>
         <source>%1 keeps the view in the case, for you and the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 将视图保存在案件中，供您和报告使用。</translation>
     </message>
     <message>
         <source>Saved views</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存的视图</translation>
     </message>
     <message>
         <source>Click: go there. Double click or F2: rename. Right click: update, scale, report, delete.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击：转到该视图。双击或 F2：重命名。右键单击：更新、比例尺、报告、删除。</translation>
     </message>
     <message>
         <source>Go there</source>
-        <translation type="unfinished"></translation>
+        <translation>转到该视图</translation>
     </message>
     <message>
         <source>Replace by what is seen now</source>
-        <translation type="unfinished"></translation>
+        <translation>以当前所见替换</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名</translation>
     </message>
     <message>
         <source>In the report</source>
-        <translation type="unfinished"></translation>
+        <translation>纳入报告</translation>
     </message>
     <message>
         <source>Scale in print</source>
-        <translation type="unfinished"></translation>
+        <translation>打印比例尺</translation>
     </message>
     <message>
         <source>As large as the page allows</source>
-        <translation type="unfinished"></translation>
+        <translation>按页面所容最大尺寸</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>删除</translation>
     </message>
 </context>
 <context>
     <name>vestige::WatchReactions</name>
     <message>
         <source>From now on it is measured how long the window takes to answer. Work on, then choose this again.</source>
-        <translation type="unfinished"></translation>
+        <translation>从现在起测量窗口的响应时间。请继续工作，然后再次选择此项。</translation>
     </message>
 </context>
 <context>
@@ -2929,110 +2929,110 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Cases and scans that you open will stand here.</source>
-        <translation type="unfinished"></translation>
+        <translation>您打开的案件和扫描将列在此处。</translation>
     </message>
     <message>
         <source>Begin</source>
-        <translation type="unfinished"></translation>
+        <translation>开始</translation>
     </message>
     <message>
         <source>New case</source>
-        <translation type="unfinished"></translation>
+        <translation>新建案件</translation>
     </message>
     <message>
         <source>Name it and add its scans</source>
-        <translation type="unfinished"></translation>
+        <translation>为其命名并添加扫描</translation>
     </message>
     <message>
         <source>A saved case, .vestige or case.json</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存的案件，.vestige 或 case.json</translation>
     </message>
     <message>
         <source>Open scans</source>
-        <translation type="unfinished"></translation>
+        <translation>打开扫描</translation>
     </message>
     <message>
         <source>Look at clouds and meshes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>立即查看点云和网格</translation>
     </message>
     <message>
         <source>Sample case</source>
-        <translation type="unfinished"></translation>
+        <translation>示例案件</translation>
     </message>
     <message>
         <source>A night collision with known lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>长度已知的夜间碰撞事故</translation>
     </message>
     <message>
         <source>Recent cases and files</source>
-        <translation type="unfinished"></translation>
+        <translation>最近的案件和文件</translation>
     </message>
     <message>
         <source>A click, or Return, opens it</source>
-        <translation type="unfinished"></translation>
+        <translation>单击或按回车键打开</translation>
     </message>
     <message>
         <source>From scans to a report that stands up in court</source>
-        <translation type="unfinished"></translation>
+        <translation>从扫描到经得起法庭检验的报告</translation>
     </message>
     <message>
         <source>Everything happens on this computer; files are only ever read, and each is hashed. Scans and cases can also be dropped into the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>一切都在本机上进行；文件只会被读取，每个文件都计算哈希值。也可将扫描和案件拖放到窗口中。</translation>
     </message>
     <message>
         <source>Scans of any scanner; the first is the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>任何扫描仪的扫描；第一个为基准</translation>
     </message>
     <message>
         <source>Register them, and see whether the fit is good</source>
-        <translation type="unfinished"></translation>
+        <translation>进行配准，并查看吻合是否良好</translation>
     </message>
     <message>
         <source>Take away what disturbs; the files stay</source>
-        <translation type="unfinished"></translation>
+        <translation>移除干扰物；文件保持不变</translation>
     </message>
     <message>
         <source>Three repeats each, with their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>每项测量三次，并给出不确定度</translation>
     </message>
     <message>
         <source>PDF, tables, pictures and every hash</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF、表格、图片和全部哈希值</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到</translation>
     </message>
     <message>
         <source>%1 is not there now. A click takes it off the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 现已不存在。单击可将其从列表中移除。</translation>
     </message>
 </context>
 <context>
     <name>vestige::WindowReactions</name>
     <message>
         <source>There is no picture yet: add scans first.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无图片：请先添加扫描。</translation>
     </message>
     <message>
         <source>The view is on the clipboard, %1 × %2 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>视图已复制到剪贴板，%1 × %2 像素。</translation>
     </message>
     <message>
         <source>There is nothing to copy: the table is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可复制的内容：表格为空。</translation>
     </message>
     <message>
         <source>%1 rows are on the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>已将 %1 行复制到剪贴板。</translation>
     </message>
     <message>
         <source>Vestige shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Vestige 快捷键</translation>
     </message>
     <message>
         <source>The shortcuts are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键已存入 %1。</translation>
     </message>
 </context>
 <context>
@@ -3047,19 +3047,19 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Registration</source>
-        <translation type="unfinished">配准</translation>
+        <translation>配准</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>清理</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
 </context>
 </TS>
