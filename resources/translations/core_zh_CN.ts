@@ -5612,6 +5612,10 @@
         <translation>%1：共测量 %2。</translation>
     </message>
     <message>
+        <source>By %1, smaller than three spots of the beam that measured them: %2. Of these the scan shows the beam as much as the object. The RMSE of the others is %3 %.</source>
+        <translation>按%1，小于测量光束三个光斑的对象：%2。对这些对象，扫描所反映的光束与对象各半。其余对象的 RMSE 为 %3 %。</translation>
+    </message>
+    <message>
         <source>Cell (m)</source>
         <translation>单元 (m)</translation>
     </message>
@@ -5948,6 +5952,10 @@
         <translation>10 月</translation>
     </message>
     <message>
+        <source>Of a fitted end the uncertainty is that of the fit, from the scatter of its points about the feature and their number. Repeats are fitted to the same points, so this part does not shrink with their number. A surface that faces along the length is seen from its own side of the site alone, at another time than the one at the other end: 10 mm (one standard deviation) are added for the drift of the aircraft’s navigation.</source>
+        <translation>拟合端点的不确定度取自拟合本身，由各点相对特征的离散程度及点数得出。各次重复所拟合的是相同的点，因此这一部分不随重复次数减小。朝向长度方向的表面只能从其所在一侧看到，与另一端的表面在不同时刻测得：为飞行器导航漂移另计 10 mm（一倍标准差）。</translation>
+    </message>
+    <message>
         <source>Of some files only a part was loaded: %1.</source>
         <translation>有些文件只载入了一部分：%1。</translation>
     </message>
@@ -6102,6 +6110,10 @@
     <message>
         <source>Rotation part of the relative pose error (RMS) by voxel</source>
         <translation>各体素尺寸的相对位姿误差 (RMS) 的旋转部分</translation>
+    </message>
+    <message>
+        <source>Rows of a method named “fitted” take the same picks, but not the single points that were hit: round each pick a plane, an edge or another feature was fitted to all points, strays given no weight, and the length runs between the features. What is known of the scanner is used: its noise lies along the beam, and an edge is read from the beams that pass along it. A pick round which nothing was fitted counts as the point it is; the notes name these. Both ways are given, so that either can be checked against the other.</source>
+        <translation>方法名带“fitted”的各行采用相同的点选，但不用击中的单个点：在每个点选周围，对所有点拟合平面、棱边或其他特征，离群点不计权，长度在特征之间量取。其中利用了对扫描仪的了解：其噪声沿光束方向，棱边由沿其掠过的光束读出。周围未能拟合出特征的点选按其点本身计；备注中列出这些点选。两种方式均予给出，以便相互核对。</translation>
     </message>
     <message>
         <source>SD of RE (%)</source>
@@ -6511,12 +6523,12 @@
         <translation>有 %1 次测量略去：%2</translation>
     </message>
     <message>
-        <source>%1 repeats left out: %2</source>
-        <translation>有 %1 次测量略去：%2</translation>
+        <source>%1 repeats by the points themselves: no feature was fitted at either end</source>
+        <translation>%1 次重复按点本身计：两端均未拟合出特征</translation>
     </message>
     <message>
-        <source>%1 repeats left out: no feature was fitted at either end</source>
-        <translation>有 %1 次测量略去：两端均未拟合出特征</translation>
+        <source>%1 repeats left out: %2</source>
+        <translation>有 %1 次测量略去：%2</translation>
     </message>
     <message>
         <source>%1 repeats left out: their ends lie on layers that are not registered to each other</source>

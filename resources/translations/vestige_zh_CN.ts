@@ -1036,7 +1036,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>Tolerance of the known distance, metres</source>
-        <translation>已知距离的容差，以米为单位</translation>
+        <translation>已知距离的允差，以米为单位</translation>
     </message>
     <message>
         <source>How far the measured length may differ from the tape; metres above 0, usually %1</source>
@@ -1044,7 +1044,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>within ±</source>
-        <translation>容差 ±</translation>
+        <translation>允差 ±</translation>
     </message>
     <message>
         <source>m</source>
@@ -1052,7 +1052,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
     <message>
         <source>&quot;%1&quot; is no tolerance: expected metres above 0, such as 0.02.</source>
-        <translation>“%1”不是容差：应为大于 0 的米数，例如 0.02。</translation>
+        <translation>“%1”不是允差：应为大于 0 的米数，例如 0.02。</translation>
     </message>
     <message>
         <source>. Choose its tool above the view and click; three repeats make a measurement.</source>
@@ -1825,7 +1825,7 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <name>vestige::KindReactions</name>
     <message>
         <source>Type the known distance into the tape column of &quot;%1&quot;; its tolerance stands below the table.</source>
-        <translation>请将已知距离填入“%1”的卷尺列；其容差在表格下方。</translation>
+        <translation>请将已知距离填入“%1”的卷尺列；其允差在表格下方。</translation>
     </message>
 </context>
 <context>
@@ -2101,7 +2101,7 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Verified: the known distance agrees within its tolerance.</source>
-        <translation>已校核：已知距离在容差范围内相符。</translation>
+        <translation>已校核：已知距离在允差范围内相符。</translation>
     </message>
     <message>
         <source>CHECK FAILED:</source>
@@ -2633,7 +2633,7 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>%1 of the box&apos;s middle, metres</source>
-        <translation>剖切盒中心的 %1 坐标，以米为单位</translation>
+        <translation>剖切框中心的 %1 坐标，以米为单位</translation>
     </message>
     <message>
         <source>Size of the section, %1</source>
@@ -2641,7 +2641,7 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>Length of the box along its own %1 axis, metres: 0.001 or more; a slab is thin along one of them</source>
-        <translation>剖切盒沿其自身 %1 轴的长度，以米为单位：不小于 0.001；切片沿其中一轴很薄</translation>
+        <translation>剖切框沿其自身 %1 轴的长度，以米为单位：不小于 0.001；薄片沿其中一轴很薄</translation>
     </message>
     <message>
         <source>Turn of the section</source>
@@ -2649,7 +2649,7 @@ Choose Distance above the view and click the two ends of an object, three times.
     </message>
     <message>
         <source>How the box is turned about its upright axis, from x towards y: -180 to 180 degrees</source>
-        <translation>剖切盒绕其竖直轴的转角，由 x 向 y：-180 至 180 度</translation>
+        <translation>剖切框绕其竖直轴的转角，由 x 向 y：-180 至 180 度</translation>
     </message>
     <message>
         <source>Turned</source>
