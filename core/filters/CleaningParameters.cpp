@@ -39,7 +39,7 @@ const ParameterTable& outlineParameters() {
         numberOf("depth_m", "Depth", "m", real, std::monostate{}, 0.001, 10000,
                  "Only what lies at most this far behind the nearest surface under the outline is taken; "
                  "automatic: however deep."),
-        choiceOf("layers", "Of the layers", "shown", {"shown", "selected"},
+        choiceOf("scope", "Of the layers", "shown", {"shown", "selected"},
                  "All layers that are shown, or the selected one alone."),
     };
     return table;

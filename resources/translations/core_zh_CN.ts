@@ -7386,6 +7386,10 @@
         <translation>闪烁(&amp;B)</translation>
     </message>
     <message>
+        <source>&amp;Bottom</source>
+        <translation>仰视(&amp;B)</translation>
+    </message>
+    <message>
         <source>&amp;Box</source>
         <translation>方框(&amp;B)</translation>
     </message>
@@ -7420,6 +7424,10 @@
     <message>
         <source>&amp;Edit</source>
         <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;English</source>
+        <translation>英文(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Eye-dome lighting</source>
@@ -7562,12 +7570,24 @@
         <translation>响应情况(&amp;R)</translation>
     </message>
     <message>
+        <source>&amp;Right</source>
+        <translation>右视(&amp;R)</translation>
+    </message>
+    <message>
         <source>&amp;Save case</source>
         <translation>保存案件(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Separate objects</source>
         <translation>分离物体(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Show all of it</source>
+        <translation>显示全部(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Simplified Chinese</source>
+        <translation>简体中文(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Smaller points</source>
@@ -7616,6 +7636,10 @@
     <message>
         <source>&amp;Watch the fit</source>
         <translation>观察配准(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>窗口(&amp;W)</translation>
     </message>
     <message>
         <source>A grid in metres, on the ground or over a plan.</source>
@@ -7690,8 +7714,8 @@
         <translation>用箭头显示数据未能约束的移动方式。</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>后视</translation>
+        <source>Bac&amp;k</source>
+        <translation>后视(&amp;K)</translation>
     </message>
     <message>
         <source>Back to the &amp;plain view</source>
@@ -7706,12 +7730,8 @@
         <translation>开始一个空案件。</translation>
     </message>
     <message>
-        <source>Bottom</source>
-        <translation>仰视</translation>
-    </message>
-    <message>
-        <source>Bring &amp;back removed points</source>
-        <translation>恢复已移除的点(&amp;B)</translation>
+        <source>Bring back remo&amp;ved points</source>
+        <translation>恢复已移除的点(&amp;V)</translation>
     </message>
     <message>
         <source>C&amp;ircle</source>
@@ -7720,10 +7740,6 @@
     <message>
         <source>C&amp;ircle centre</source>
         <translation>圆心(&amp;I)</translation>
-    </message>
-    <message>
-        <source>C&amp;lean</source>
-        <translation>清理(&amp;L)</translation>
     </message>
     <message>
         <source>C&amp;orner</source>
@@ -7740,6 +7756,10 @@
     <message>
         <source>Choose the colours and from where to where they run.</source>
         <translation>选择颜色及其起止范围。</translation>
+    </message>
+    <message>
+        <source>Clea&amp;n</source>
+        <translation>清理(&amp;N)</translation>
     </message>
     <message>
         <source>Click a point, then three or more of a plane; the distance between them is measured.</source>
@@ -7834,8 +7854,8 @@
         <translation>按到目标的距离为已配准的图层着色。</translation>
     </message>
     <message>
-        <source>Colours and range…</source>
-        <translation>颜色与范围…</translation>
+        <source>Colours and ran&amp;ge…</source>
+        <translation>颜色与范围(&amp;G)…</translation>
     </message>
     <message>
         <source>Colours for ground, vegetation, buildings and the other classes that LAS files have.</source>
@@ -7870,6 +7890,10 @@
         <translation>断面(&amp;S)</translation>
     </message>
     <message>
+        <source>Displa&amp;y</source>
+        <translation>显示(&amp;Y)</translation>
+    </message>
+    <message>
         <source>Do again what was undone.</source>
         <translation>重做已撤销的操作。</translation>
     </message>
@@ -7892,10 +7916,6 @@
     <message>
         <source>End the comparison, the replay or the preview.</source>
         <translation>结束比较、回放或预览。</translation>
-    </message>
-    <message>
-        <source>English</source>
-        <translation>英文</translation>
     </message>
     <message>
         <source>Every step of the case; a click goes there.</source>
@@ -8006,10 +8026,6 @@
         <translation>左键旋转，右键或中键移动，滚轮缩放。</translation>
     </message>
     <message>
-        <source>Level slab</source>
-        <translation>水平薄片</translation>
-    </message>
-    <message>
         <source>Light bac&amp;kground</source>
         <translation>浅色背景(&amp;K)</translation>
     </message>
@@ -8054,16 +8070,16 @@
         <translation>测量结果及其误差。</translation>
     </message>
     <message>
-        <source>Mouse as in CloudCompare</source>
-        <translation>鼠标操作同 CloudCompare</translation>
+        <source>Mouse as in &amp;Vestige</source>
+        <translation>鼠标操作同 Vestige(&amp;V)</translation>
     </message>
     <message>
-        <source>Mouse as in Slicer and F3D</source>
-        <translation>鼠标操作同 Slicer 和 F3D</translation>
+        <source>Mouse as in C&amp;loudCompare</source>
+        <translation>鼠标操作同 CloudCompare(&amp;L)</translation>
     </message>
     <message>
-        <source>Mouse as in Vestige</source>
-        <translation>鼠标操作同 Vestige</translation>
+        <source>Mouse as in Slicer and F&amp;3D</source>
+        <translation>鼠标操作同 Slicer 和 F3D(&amp;3)</translation>
     </message>
     <message>
         <source>Move the slab by its thickness against its axis.</source>
@@ -8074,20 +8090,20 @@
         <translation>将薄片沿其轴向移动一个厚度；Ctrl 加滚轮亦可。</translation>
     </message>
     <message>
+        <source>N&amp;orth arrow</source>
+        <translation>指北针(&amp;O)</translation>
+    </message>
+    <message>
         <source>Name the selected points as an object of the scene.</source>
         <translation>将所选的点命名为现场物体。</translation>
     </message>
     <message>
-        <source>Near points larger</source>
-        <translation>近处的点较大</translation>
+        <source>Near &amp;points larger</source>
+        <translation>近处的点较大(&amp;P)</translation>
     </message>
     <message>
         <source>Nearest &amp;point</source>
         <translation>最近点(&amp;P)</translation>
-    </message>
-    <message>
-        <source>North arrow</source>
-        <translation>指北针</translation>
     </message>
     <message>
         <source>Open a case (case.json or .vestige).</source>
@@ -8106,8 +8122,8 @@
         <translation>从任何方向看平行线都保持平行；关闭时：透视。</translation>
     </message>
     <message>
-        <source>Picture…</source>
-        <translation>图片…</translation>
+        <source>Picture of the vie&amp;w…</source>
+        <translation>视图图片(&amp;W)…</translation>
     </message>
     <message>
         <source>Plane to pla&amp;ne</source>
@@ -8158,10 +8174,6 @@
         <translation>将案件记录的单击解算为点选。</translation>
     </message>
     <message>
-        <source>Right</source>
-        <translation>右视</translation>
-    </message>
-    <message>
         <source>Sa&amp;ve view</source>
         <translation>保存视图(&amp;V)</translation>
     </message>
@@ -8190,8 +8202,8 @@
         <translation>剖切框(&amp;X)</translation>
     </message>
     <message>
-        <source>Section round everything</source>
-        <translation>剖切框包围全部</translation>
+        <source>Section round &amp;everything</source>
+        <translation>剖切框包围全部(&amp;E)</translation>
     </message>
     <message>
         <source>Select &amp;points of the part</source>
@@ -8250,10 +8262,6 @@
         <translation>显示一层垂直于 y 轴的竖直薄片。</translation>
     </message>
     <message>
-        <source>Show all of it</source>
-        <translation>显示全部</translation>
-    </message>
-    <message>
         <source>Show all shortcuts, and change them.</source>
         <translation>显示所有快捷键，并可更改。</translation>
     </message>
@@ -8298,28 +8306,28 @@
         <translation>显示 y 轴的指向，在地图网格上即为北。</translation>
     </message>
     <message>
-        <source>Simplified Chinese</source>
-        <translation>简体中文</translation>
+        <source>Slab &amp;1: across x</source>
+        <translation>薄片(&amp;1)：垂直于 x</translation>
     </message>
     <message>
-        <source>Slab across x</source>
-        <translation>垂直于 x 的薄片</translation>
+        <source>Slab &amp;2: across y</source>
+        <translation>薄片(&amp;2)：垂直于 y</translation>
     </message>
     <message>
-        <source>Slab across y</source>
-        <translation>垂直于 y 的薄片</translation>
+        <source>Slab &amp;3: level</source>
+        <translation>薄片(&amp;3)：水平</translation>
     </message>
     <message>
-        <source>Slab back</source>
-        <translation>薄片后移</translation>
+        <source>Slab ba&amp;ck</source>
+        <translation>薄片后移(&amp;C)</translation>
     </message>
     <message>
-        <source>Slab facing the view</source>
-        <translation>正对视图的薄片</translation>
+        <source>Slab facin&amp;g the view</source>
+        <translation>正对视图的薄片(&amp;G)</translation>
     </message>
     <message>
-        <source>Slab on</source>
-        <translation>薄片前移</translation>
+        <source>Slab o&amp;n</source>
+        <translation>薄片前移(&amp;N)</translation>
     </message>
     <message>
         <source>Snap picks to the next kind of feature.</source>
@@ -8394,8 +8402,8 @@
         <translation>视图绕光标下的点旋转；该处没有点时，绕所拖动之处旋转。</translation>
     </message>
     <message>
-        <source>Turn about the point under the cursor</source>
-        <translation>绕光标下的点旋转</translation>
+        <source>Turn about the point un&amp;der the cursor</source>
+        <translation>绕光标下的点旋转(&amp;D)</translation>
     </message>
     <message>
         <source>Turn, move and zoom the view.</source>
@@ -8700,6 +8708,14 @@
         <translation>每边应为 1 到 %1，总计不超过 %2 百万</translation>
     </message>
     <message>
+        <source>Back</source>
+        <translation>后视</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
         <source>Class</source>
         <translation>类别</translation>
     </message>
@@ -8746,6 +8762,10 @@
     <message>
         <source>Range: 3 × the spread of %1 %2 (1 SD)</source>
         <translation>范围：%1 %2 离散度（1 倍标准差）的 3 倍</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右视</translation>
     </message>
     <message>
         <source>Tiles: %1 and %2 in turn, %1 at the top left; faint where a tile's own is empty</source>

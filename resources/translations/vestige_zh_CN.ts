@@ -1058,6 +1058,10 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>. Choose its tool above the view and click; three repeats make a measurement.</source>
         <translation>。请在视图上方选择其工具并单击；重复三次构成一次测量。</translation>
     </message>
+    <message>
+        <source>What is measured of the selected object</source>
+        <translation>对所选对象测量什么</translation>
+    </message>
 </context>
 <context>
     <name>vestige::CaseForm</name>

@@ -87,9 +87,10 @@ void BudgetPanel::paintIcons() {
 void BudgetPanel::makeHead(const ActionCatalog& actions) {
     kinds_->setObjectName("kind");
     kinds_->setAccessibleName(tr("Kind of measurement"));
+    kinds_->setToolTip(tr("What is measured of the selected object"));
     for (const KindSpec& spec : kindTable()) {
-        kinds_->addItem(toQt(spec.label), static_cast<int>(spec.kind));
-        kinds_->setItemData(kinds_->count() - 1, toQt(spec.meaning), Qt::ToolTipRole);
+        kinds_->addItem(said(spec.label), static_cast<int>(spec.kind));
+        kinds_->setItemData(kinds_->count() - 1, said(spec.meaning), Qt::ToolTipRole);
     }
     connect(kinds_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
         document_.perform(
@@ -167,7 +168,7 @@ void BudgetPanel::fill() {
     const MeasuredKind* measured = measuredOf(document_.measured(), selection_.object(), selection_.method());
     tree_->setVisible(measured && !measured->quantities.empty());
     tree_->showFigures(measured);
-    QString note = measured ? toQt(measured->note) : QString();
+    QString note = measured ? said(measured->note) : QString();
     if (measured && measured->quantities.empty())
         note += tr(". Choose its tool above the view and click; three repeats make a measurement.");
     note_->setText(note);

@@ -149,7 +149,7 @@ void CleanPanel::describeSelected() {
                "shown in magenta; then remove it, keep only it, or make it an object."));
         return;
     }
-    const QString by = QString::fromStdString(points_.step().how);
+    const QString by = said(points_.step().how);
     selected_->setText(
         tr("%1 points selected").arg(QString::fromStdString(grouped(count))) +
         (points_.layerCount() > 1 ? tr(" of %1 layers").arg(points_.layerCount()) : QString()));
@@ -166,8 +166,7 @@ void CleanPanel::describeRemoved() {
         if (!layer.cleaning) continue;
         QStringList steps;
         for (const CleaningStep& step : layer.cleaning->steps)
-            steps << tr("%1 by %2")
-                         .arg(QString::fromStdString(grouped(step.points)), QString::fromStdString(step.how));
+            steps << tr("%1 by %2").arg(QString::fromStdString(grouped(step.points)), said(step.how));
         lines << tr("%1: %2 of %3 points (%4)")
                      .arg(QString::fromStdString(layer.name),
                           QString::fromStdString(grouped(layer.cleaning->removed.size())),

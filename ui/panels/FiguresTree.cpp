@@ -18,7 +18,7 @@ QString degreesText(double degrees) {
 }
 
 QString tipOf(const QuantityStatistic& quantity) {
-    QStringList lines{toQt(quantity.label) + ": " + toQt(quantitySentence(quantity))};
+    QStringList lines{said(quantity.label) + ": " + said(quantitySentence(quantity))};
     if (quantity.low && quantity.high)
         lines << QObject::tr("95 % interval: %1 %2")
                      .arg(toQt(quantityIntervalText(quantity)), toQt(readableSymbol(quantity.unit)));
@@ -38,7 +38,7 @@ QString tipOf(const QuantityStatistic& quantity) {
 QString tipOf(const Contribution& line, QuantityUnit unit) {
     return QObject::tr(
                "%1: standard uncertainty %2 (%3, degrees of freedom %4), which makes %5 of the figure")
-        .arg(toQt(line.source), toQt(inputText(line.value, line.unit)), toQt(name(line.distribution)),
+        .arg(said(line.source), toQt(inputText(line.value, line.unit)), said(name(line.distribution)),
              degreesText(line.degreesOfFreedom), toQt(inputText(line.part(), std::string(symbol(unit)))));
 }
 
@@ -78,14 +78,14 @@ void FiguresTree::showFigures(const MeasuredKind* kind) {
     for (const QuantityStatistic& each : kind->quantities) {
         auto* item = new QTreeWidgetItem(this);
         const QString unit = toQt(readableSymbol(each.unit));
-        item->setText(figure, toQt(each.label));
+        item->setText(figure, said(each.label));
         item->setText(value,
                       toQt(quantityValueText(each)) + (unit == QString::fromUtf8("°") ? "" : " ") + unit);
         item->setText(uncertainty, toQt(quantityUncertaintyText(each)));
         item->setData(0, Qt::UserRole, toQt(each.key));
         for (const Contribution& line : each.budget.contributions) {
             auto* part = new QTreeWidgetItem(item);
-            part->setText(figure, toQt(line.source));
+            part->setText(figure, said(line.source));
             part->setText(value, toQt(inputText(line.value, line.unit)));
             part->setText(uncertainty, toQt(inputText(line.part(), std::string(symbol(each.unit)))));
             part->setText(share, toQt(fixedText(100 * line.share, 0)) + " %");

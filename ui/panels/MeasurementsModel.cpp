@@ -136,7 +136,7 @@ QVariant MeasurementsModel::textAt(int row, Column column) const {
 QString MeasurementsModel::tipAt(int row) const {
     const MeasuredLength* found = measuredAt(row);
     const Measurement& measurement = document_.state().measurements[static_cast<std::size_t>(row)];
-    QStringList lines{QString::fromStdString(objectAt(row)), toQt(kindSpec(measurement.kind).label)};
+    QStringList lines{QString::fromStdString(objectAt(row)), said(kindSpec(measurement.kind).label)};
     if (measurement.checkTolerance_m)
         lines << tr("A known distance: it may be off by %1 m").arg(lengthText(measurement.checkTolerance_m));
     if (!found) return lines.join("\n");
@@ -168,7 +168,7 @@ QVariant MeasurementsModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole) return tipAt(index.row());
     if (role == Qt::DecorationRole && column == object) return iconAt(index.row());
     if (role == Qt::AccessibleDescriptionRole && column == object)
-        return toQt(kindSpec(measurement.kind).label);
+        return said(kindSpec(measurement.kind).label);
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>((column == object ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role == Qt::FontRole && excluded) {

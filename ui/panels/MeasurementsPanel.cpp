@@ -225,7 +225,7 @@ void MeasurementsPanel::showMenu(const QPoint& position, const ActionCatalog& ac
     QMenu menu(this);
     QMenu* kinds = menu.addMenu(tr("Kind"));
     for (const KindSpec& spec : kindTable()) {
-        QAction* action = kinds->addAction(toQt(spec.label));
+        QAction* action = kinds->addAction(said(spec.label));
         action->setCheckable(true);
         action->setChecked(spec.kind == measurement->kind);
         connect(action, &QAction::triggered, this,

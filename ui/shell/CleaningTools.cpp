@@ -78,7 +78,7 @@ void CleaningTools::select(const std::vector<Eigen::Vector2d>& corners, Qt::Keyb
     asked.options.depth_m = settings.optionalReal("depth_m");
     asked.options.outside = settings.text("side") == "outside";
     if (shown.section) asked.options.clips = shown.section->planes();
-    const bool one = settings.text("layers") == "selected";
+    const bool one = settings.text("scope") == "selected";
     bool preview = false;
     for (const ViewLayer& layer : shown.layers) {
         const Layer* held = bench_.document.state().layer(layer.id);

@@ -33,9 +33,8 @@ ColorRange& rangeOf(Coloring& coloring, Quantity quantity) {
 
 }  // namespace
 
-ColorBar::ColorBar(const ActionCatalog& actions, Presentation& presentation, const SceneView& view,
-                   QWidget* parent)
-    : ViewBar(actions["view.color-range"], tr("Colours"), "color-bar", parent),
+ColorBar::ColorBar(ActionCatalog& actions, Presentation& presentation, const SceneView& view, QWidget* parent)
+    : ViewBar(actions, "view.color-range", tr("Colours"), "color-bar", parent),
       presentation_(presentation),
       view_(view),
       map_(new QComboBox),

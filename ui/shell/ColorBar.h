@@ -15,7 +15,7 @@ class ColorBar : public ViewBar {
     Q_OBJECT
 
   public:
-    ColorBar(const ActionCatalog& actions, Presentation& presentation, const SceneView& view,
+    ColorBar(ActionCatalog& actions, Presentation& presentation, const SceneView& view,
              QWidget* parent = nullptr);
 
   private:

@@ -23,7 +23,7 @@ constexpr double kWindow_dpi = 96;
 }  // namespace
 
 PictureBar::PictureBar(const Workbench& bench, SceneView& view, QWidget* parent)
-    : ViewBar(bench.actions["view.screenshot"], tr("Picture"), "picture-bar", parent),
+    : ViewBar(bench.actions, "view.screenshot", tr("Picture"), "picture-bar", parent),
       bench_(bench),
       view_(view),
       toScale_(new QCheckBox(tr("True to scale, 1 :"))),

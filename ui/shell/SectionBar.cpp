@@ -17,8 +17,8 @@ constexpr double kFarthest_m = 1e8;
 constexpr double kDegrees = 180 / std::numbers::pi;
 }  // namespace
 
-SectionBar::SectionBar(const ActionCatalog& actions, Presentation& presentation, QWidget* parent)
-    : ViewBar(actions["view.section"], tr("Section"), "section-bar", parent), presentation_(presentation) {
+SectionBar::SectionBar(ActionCatalog& actions, Presentation& presentation, QWidget* parent)
+    : ViewBar(actions, "view.section", tr("Section"), "section-bar", parent), presentation_(presentation) {
     const char* axes[] = {"x", "y", "z"};
     grid().addWidget(barLabel(tr("Middle")), 0, 0);
     grid().addWidget(barLabel(tr("Size")), 1, 0);

@@ -14,7 +14,7 @@ class SectionBar : public ViewBar {
     Q_OBJECT
 
   public:
-    SectionBar(const ActionCatalog& actions, Presentation& presentation, QWidget* parent = nullptr);
+    SectionBar(ActionCatalog& actions, Presentation& presentation, QWidget* parent = nullptr);
 
   private:
     void follow();

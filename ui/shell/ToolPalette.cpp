@@ -155,8 +155,6 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->addWidget(compareButton(actions));
     row->addWidget(gap());
     row->addWidget(colorButton(actions, presentation));
-    row->addWidget(buttonFor(actions["view.smaller-points"], Qt::ToolButtonIconOnly));
-    row->addWidget(buttonFor(actions["view.larger-points"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["view.edl"], Qt::ToolButtonIconOnly));
     row->addWidget(gap());
     for (const char* id : {"view.fit", "view.four", "view.parallel", "view.section", "view.screenshot"})

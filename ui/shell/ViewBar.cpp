@@ -6,10 +6,14 @@
 #include <QLocale>
 #include <QToolButton>
 
+#include "ui/actions/ActionCatalog.h"
+
 namespace vestige {
 
-ViewBar::ViewBar(QAction& action, const QString& title, const QString& name, QWidget* parent)
+ViewBar::ViewBar(ActionCatalog& actions, const char* id, const QString& title, const QString& name,
+                 QWidget* parent)
     : QFrame(parent), grid_(new QGridLayout) {
+    QAction& action = actions[id];
     setObjectName(name);
     setProperty("role", "view-bar");
     setAccessibleName(title);
@@ -30,7 +34,7 @@ ViewBar::ViewBar(QAction& action, const QString& title, const QString& name, QWi
     grid_->setHorizontalSpacing(6);
     grid_->setVerticalSpacing(4);
     column->addLayout(grid_);
-    connect(&action, &QAction::toggled, this, &QWidget::setVisible);
+    actions.onToggled(id, [this](bool on) { setVisible(on); });
     setVisible(action.isChecked());
 }
 

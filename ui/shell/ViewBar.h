@@ -10,13 +10,17 @@ class QToolButton;
 
 namespace vestige {
 
+class ActionCatalog;
+
 /// A small bar over the view that belongs to an action: it has a title and a cross that ends it, and is there
 /// while the action is checked.
 class ViewBar : public QFrame {
     Q_OBJECT
 
   public:
-    ViewBar(QAction& action, const QString& title, const QString& name, QWidget* parent = nullptr);
+    /// `action`: its id.
+    ViewBar(ActionCatalog& actions, const char* action, const QString& title, const QString& name,
+            QWidget* parent = nullptr);
 
   protected:
     QGridLayout& grid() { return *grid_; }

@@ -195,10 +195,10 @@ void PathTool::tellHint() {
     const Measurement* object = document_.state().measurement(selection_.object());
     const bool again = object && object->kind == kind_;
     const QString name =
-        again ? QString::fromStdString(object->object) : tr("New: %1").arg(toQt(spec().label));
+        again ? QString::fromStdString(object->object) : tr("New: %1").arg(said(spec().label));
     const std::size_t done = again ? pickCount(*object, document_.state(), selection_.method()) : 0;
     const QString repeat = done < 3 ? tr("repeat %1 of 3").arg(done + 1) : tr("repeat %1").arg(done + 1);
-    QString step = tr("click %1").arg(toQt(spec().pickName(points_.size())));
+    QString step = tr("click %1").arg(said(spec().pickName(points_.size())));
     if (!points_.empty()) {
         if (spec().most != spec().fewest && points_.size() >= spec().fewest)
             step += tr("; double click or Enter ends");

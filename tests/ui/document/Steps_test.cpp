@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/PointSet.h"
+#include "core/scene/Cleaning.h"
 
 namespace vestige {
 namespace {
@@ -89,7 +89,7 @@ TEST(Steps, AScanThatIsNotRegisteredIsNamed) {
 TEST(Steps, CleaningIsOptional) {
     SceneState scene = twoScans();
     EXPECT_EQ(factsOf(scene, WayStep::clean).state, StepState::optional);
-    scene.layers[0].removed = std::make_shared<const PointSet>();
+    scene.layers[0].cleaning = std::make_shared<const Cleaning>();
     EXPECT_EQ(factsOf(scene, WayStep::clean).state, StepState::done);
 }
 

@@ -66,6 +66,15 @@ class EveryAction : public test::ShellWindow {
         table.clearSelection();
         table.setCurrentIndex({});
         table.selectRow(0);
+        if (id == "clean.remove" || id == "clean.keep" || id == "clean.make-object" || id == "clean.clear" ||
+            id.rfind("part.", 0) == 0) {
+            actions()["clean.ground"].trigger();
+            driver->settle();
+        }
+        if (id.rfind("part.", 0) == 0) {
+            actions()["clean.make-object"].trigger();
+            driver->settle();
+        }
         if (id == "edit.redo") document.undo();
         if (id == "compare.end") actions()["compare.swipe"].setChecked(true);
         if (id == "file.reopen" && scene.file.empty()) actions()["file.save"].trigger();

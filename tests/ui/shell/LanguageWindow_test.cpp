@@ -78,7 +78,9 @@ class LanguageWindow : public testing::Test {
 
     /// "QLabel name: English words" of each text that is not Chinese.
     QStringList leftInEnglish() {
-        std::set<std::string> names{"Hokuyo"};
+        // Programs, keys, formats and published colour maps.
+        std::set<std::string> names{"Hokuyo", "CloudCompare", "Slicer",  "F3D",     "Del",    "PgUp",
+                                    "PgDown", "HTML",         "Viridis", "Cividis", "Plasma", "label,x,y,z"};
         for (const Layer& layer : driver->scene().layers) {
             names.insert(layer.name);
             names.insert(layer.path.string());

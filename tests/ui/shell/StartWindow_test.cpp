@@ -95,8 +95,9 @@ TEST_F(StartWindow, TheStepsSayWhatIsMissingAndGoThere) {
     EXPECT_TRUE(step(WayStep::import).accessibleName().contains("done"));
     EXPECT_EQ(step(WayStep::align).accessibleDescription(), "second scan is not registered");
     auto& tabs = widget<QTabWidget>("right");
-    for (const auto& [which, panel] : {std::pair(WayStep::import, 3), std::pair(WayStep::align, 1),
-                                       std::pair(WayStep::report, 4), std::pair(WayStep::measure, 0)}) {
+    for (const auto& [which, panel] :
+         {std::pair(WayStep::import, 3), std::pair(WayStep::align, 1), std::pair(WayStep::clean, 4),
+          std::pair(WayStep::report, 5), std::pair(WayStep::measure, 0)}) {
         QTest::mouseClick(&step(which), Qt::LeftButton);
         EXPECT_EQ(tabs.currentIndex(), panel);
         QTest::keyClick(&step(which), Qt::Key_Space);
