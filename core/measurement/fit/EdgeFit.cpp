@@ -101,7 +101,8 @@ std::optional<LineFit> edgeAtSeed(const Neighbourhood& near) {
         if (!line) return;
         const Eigen::Vector3d aside = line->point - near.view.dot(line->point) * near.view;
         const double distance = aside.norm() + 0.3 * std::abs(near.view.dot(line->point));
-        if (distance >= 0.5 * near.radius_m) return;
+        // An edge that is not where was clicked is another one.
+        if (distance >= 0.3 * near.radius_m) return;
         // Near the line of sight, and of planes that most points lie on.
         double share = 0;
         for (const PlaneFit& plane : of) share += plane.support / static_cast<double>(near.points.size());

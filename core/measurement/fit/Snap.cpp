@@ -18,14 +18,65 @@ tl::unexpected<Error> none(const std::string& what, const Neighbourhood& near) {
                 "pick nearer to it, or choose another feature");
 }
 
+/// How deep behind the seed, along the view, what is seen there lies: the mean over the points beside the
+/// line of sight, those of deeper surfaces left out.
+struct Depth {
+    double mean = 0;
+    double variance = 0;
+    std::size_t count = 0;
+};
+
+std::optional<Depth> frontDepth(const Neighbourhood& near) {
+    const double beside = std::max(near.noise_m, 2 * near.spacing_m);
+    Depth depth;
+    for (int round = 0; round < 4; ++round) {
+        double sum = 0;
+        depth.count = 0;
+        for (const FitPoint& point : near.points) {
+            const double at = near.view.dot(point.position);
+            if ((point.position - at * near.view).norm() > beside) continue;
+            if (std::abs(at - depth.mean) > 2.5 * near.noise_m) continue;
+            sum += at;
+            ++depth.count;
+        }
+        if (depth.count < 5) return std::nullopt;
+        depth.mean = sum / static_cast<double>(depth.count);
+    }
+    depth.variance = near.noise_m * near.noise_m / static_cast<double>(depth.count);
+    return depth;
+}
+
+/// A surface too small or too round for a plane of its own, taken as facing the viewer.
+FittedFeature facing(const Neighbourhood& near, const Depth& depth) {
+    FittedFeature feature{.mode = SnapMode::plane};
+    feature.position = depth.mean * near.view;
+    feature.axis = -near.view;
+    feature.axisUncertainty = 0.5;
+    const double aside = near.spacing_m * near.spacing_m / 12;
+    feature.covariance =
+        aside * Eigen::Matrix3d::Identity() + (depth.variance - aside) * near.view * near.view.transpose();
+    feature.rms = near.noise_m;
+    feature.inliers = depth.count;
+    return feature;
+}
+
 Result<FittedFeature> plane(const Neighbourhood& near) {
+    constexpr double kFacing = 0.7;
     const auto fit = planeAtSeed(near);
-    if (!fit) return none("plane", near);
+    const auto depth = frontDepth(near);
+    if (!fit) return depth ? Result<FittedFeature>(facing(near, *depth)) : none("plane", near);
     FittedFeature feature{.mode = SnapMode::plane};
     const double slant = fit->normal.dot(near.view);
     feature.position = fit->project(Eigen::Vector3d::Zero());
     // Where the line of sight meets it, unless the plane is seen too much from the side for that.
     if (std::abs(slant) > 0.3) feature.position = fit->distance(Eigen::Vector3d::Zero()) / -slant * near.view;
+    // A handle stands before its door, a mirror before what is behind it: the plane of the larger is not
+    // what was clicked.
+    if (depth && std::abs(slant) > kFacing) {
+        const double behind = near.view.dot(feature.position) - depth->mean;
+        if (behind * behind > 4 * (depth->variance + fit->varianceAt(feature.position)))
+            return facing(near, *depth);
+    }
     feature.axis = slant > 0 ? Eigen::Vector3d(-fit->normal) : fit->normal;
     feature.axisUncertainty = std::sqrt(std::max(fit->variance[0], fit->variance[1]));
     const double aside = near.spacing_m * near.spacing_m / 12;

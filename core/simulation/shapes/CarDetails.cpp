@@ -108,8 +108,8 @@ void addHandle(ModelBuilder& builder, const CarShape& shape, double x, double si
         builder.box({x + end * (half - 0.025), side * (skin + 0.5 * kProud - 0.01), shape.handleZ},
                     {0.03, kProud, 0.022});
     const Point look(0, side, 0.25);
-    builder.feature("handle_" + door + "_front", {x + half, outer, shape.handleZ}, look);
-    builder.feature("handle_" + door + "_rear", {x - half, outer, shape.handleZ}, look);
+    builder.feature("handle_" + door + "_front", {x + half, outer, shape.handleZ}, look, "plane");
+    builder.feature("handle_" + door + "_rear", {x - half, outer, shape.handleZ}, look, "plane");
 }
 
 }  // namespace
