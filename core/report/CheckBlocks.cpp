@@ -39,21 +39,32 @@ std::vector<std::string> failedChecks(const MeasuredScene& measured) {
     return sentences;
 }
 
+namespace {
+
+/// Parted so that each name is translated as one (core/base/Translation).
+std::string inARow(const std::vector<std::string>& methods) {
+    std::string text;
+    for (const std::string& method : methods) text += (text.empty() ? "" : "; ") + method;
+    return text;
+}
+
+}  // namespace
+
 std::string verificationSentence(const MeasuredScene& measured) {
     const auto failed = methodsThatAre(measured, Verification::failed);
     const auto checked = methodsThatAre(measured, Verification::verified);
     const auto open = methodsThatAre(measured, Verification::notChecked);
     std::string text;
     if (!failed.empty())
-        text += "WARNING: the check against a known distance FAILED for " + listed(failed) +
+        text += "WARNING: the check against a known distance FAILED for " + inARow(failed) +
                 ". Figures of this report by " + (failed.size() == 1 ? "this method" : "these methods") +
                 " must not be relied on until the cause is found. ";
     if (!checked.empty())
-        text += "The scale of what " + listed(checked) +
+        text += "The scale of what " + inARow(checked) +
                 " measured is verified: it agrees with the known distance at the scene within the tolerance "
                 "set for it. ";
     if (!open.empty() || (failed.empty() && checked.empty()))
-        text += (open.empty() ? std::string("The survey") : "What " + listed(open) + " measured") +
+        text += (open.empty() ? std::string("The survey") : "What " + inARow(open) + " measured") +
                 " was not verified: no known distance at the scene was measured with it. ";
     text.pop_back();
     return text;
