@@ -170,14 +170,14 @@ Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem:
 
 Result<std::shared_ptr<const PointCloud>> allAttributes(const Layer& layer, const std::filesystem::path& file,
                                                         const JobControl& control) {
-    constexpr std::array<std::string_view, 3> kDrawn{"intensity", "color", "normals"};
+    constexpr std::array<std::string_view, 4> kDrawn{"intensity", "color", "normals", "classification"};
     const std::vector<std::string>& names = layer.data->info.attributes;
     const bool complete = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
         return std::find(kDrawn.begin(), kDrawn.end(), name) != kDrawn.end();
     });
     const PointAttributes& held = layer.data->points->attributes();
-    const bool whole = !held.classification.empty() || !held.gpsTime.empty() || !held.pointSource.empty() ||
-                       !held.returnNumber.empty() || !held.returnCount.empty();
+    const bool whole = !held.gpsTime.empty() || !held.pointSource.empty() || !held.returnNumber.empty() ||
+                       !held.returnCount.empty();
     if (complete || whole) return layer.data->points;
     const auto isAsRead = [&] {
         const auto now = stampOf(file);

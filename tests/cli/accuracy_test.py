@@ -60,7 +60,8 @@ class Accuracy(unittest.TestCase):
         told = json.loads(cli("accuracy", ORACLES / "table5.csv", "--out", out, "--json").stdout)
         with out.open(newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(list(rows[0]), ["method", "n", "sd", "rmse", "rmse_all", "rmse_abs_m", "excluded"])
+        self.assertEqual(list(rows[0]), ["method", "n", "sd", "rmse", "rmse_all", "rmse_abs_m", "excluded",
+                                         "rmse_large", "small"])
         self.assertEqual(float(rows[1]["rmse"]), told["methods"][1]["rmse"])
         self.assertEqual(rows[1]["excluded"].split(";"), told["methods"][1]["excluded"])
         self.assertEqual(round(float(rows[1]["rmse_abs_m"]), 4), 0.0355)

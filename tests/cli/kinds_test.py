@@ -95,7 +95,7 @@ class Kinds(unittest.TestCase):
 
     def test_lengths_of_other_kinds_are_rows_with_a_relative_error(self):
         rows = {r["object"]: r for r in rows_of(self.out / "measurements.csv")}
-        self.assertEqual(list(rows["Skid"])[-3:], ["kind", "horizontal_m", "vertical_m"])
+        self.assertEqual(list(rows["Skid"])[-4:], ["kind", "horizontal_m", "vertical_m", "small"])
         self.assertEqual(rows["Skid"]["kind"], "polyline")
         self.assertAlmostEqual(float(rows["Skid"]["re"]), self.mean("Skid", "length") / 9 - 1, 12)
         self.assertNotIn("Heap", rows)

@@ -237,7 +237,8 @@ TEST(SceneView, DrawsNoPointAgainForWhatIsPaintedOverThem) {
     ShownView shown(description);
     ASSERT_TRUE(shown.view.isComplete());
     const QImage before = shown.view.grab();
-    description.marks.push_back({{0, 0, 0}, {1, 1, 0}, "1.414 m"});
+    const BoundingBox square = bounds(description);
+    description.marks.push_back({square.min, square.max, "1.414 m"});
     shown.view.show(description);
     EXPECT_TRUE(shown.view.isComplete());
     EXPECT_NE(shown.view.grab(), before) << "the mark is there";
