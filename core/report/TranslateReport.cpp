@@ -49,6 +49,12 @@ class Visitor {
         turn(chart.yName);
         for (auto& series : chart.series) turn(series.name);
     }
+    void operator()(Diagram& diagram) const {
+        turn(diagram.caption);
+        turn(diagram.xName);
+        turn(diagram.yName);
+        for (auto& series : diagram.series) turn(series.name);
+    }
     void turn(std::string& text) const { text = withUnitsHeld(say_(text)); }
 
   private:
