@@ -109,8 +109,9 @@ bool addUnknown(std::vector<Repeat>& repeats, Repeat repeat, std::vector<bool>& 
 bool add(const SceneState& scene, Measurement& measurement, const Place& where, const Gathered& gathered,
          Named& named) {
     const auto& [object, key, ofPath, repeat] = where;
-    const auto known = [&](std::size_t count) -> std::vector<bool>& {
-        return named.try_emplace({object, key, ofPath}, count, false).first->second;
+    const auto known = [&named, &ofObject = object, &ofKey = key,
+                        isPath = ofPath](std::size_t count) -> std::vector<bool>& {
+        return named.try_emplace({ofObject, ofKey, isPath}, count, false).first->second;
     };
     if (!ofPath) {
         auto& pairs = measurement.picks[key];
