@@ -83,15 +83,11 @@ QToolButton* kindButton(const ActionCatalog& actions) {
         for (const auto& [id, kind] : kindTools()) on = on || actions[id].isChecked();
         button->setChecked(on);
         button->setEnabled(actions["tool.angle"].isEnabled());
-        QString text = QObject::tr("More");
         button->setIcon(actions["tool.polyline"].icon());
         for (const auto& [id, kind] : kindTools()) {
             if (!actions[id].isChecked()) continue;
-            text = actions[id].text().remove('&');
             button->setIcon(actions[id].icon());
         }
-        button->setText(text);
-        if (QWidget* palette = button->parentWidget()) palette->adjustSize();
     };
     for (const auto& [id, kind] : kindTools()) {
         menu->addAction(&actions[id]);
