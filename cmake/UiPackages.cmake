@@ -1,4 +1,3 @@
 find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg OpenGL Concurrent)
 find_package(VTK 9.1 REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonTransforms FiltersCore FiltersGeneral FiltersSources InteractionStyle IOImage
-    RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
+    CommonCore CommonDataModel RenderingCore RenderingOpenGL2)

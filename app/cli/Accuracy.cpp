@@ -7,11 +7,13 @@
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/AtomicFile.h"
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/base/UtcTime.h"
 #include "core/measurement/AccuracyTable.h"
 #include "core/report/AccuracyCsv.h"
 #include "core/report/AccuracyReport.h"
 #include "core/report/ResultsJson.h"
+#include "core/report/TranslateReport.h"
 #include "core/report/Wording.h"
 #include "ui/print/PdfPrinter.h"
 
@@ -39,7 +41,8 @@ Status writeOutputs(const std::vector<MethodAccuracy>& methods, const Options& o
         const OffscreenApplication application;
         const std::string name = std::filesystem::path(options.table).filename().string();
         if (auto printed =
-                PdfPrinter().printPdf(accuracyReport(methods, name, utcNow()), pdf.temporaryPath(), control);
+                PdfPrinter().printPdf(translated(accuracyReport(methods, name, utcNow()), language()),
+                                      pdf.temporaryPath(), control);
             !printed)
             return printed;
         files.push_back(&pdf);

@@ -6,9 +6,11 @@
 
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/AtomicFile.h"
+#include "core/base/Translation.h"
 #include "core/base/UtcTime.h"
 #include "core/evaluation/SequenceCsv.h"
 #include "core/report/SequenceCharts.h"
+#include "core/report/TranslateReport.h"
 #include "ui/print/ChartFile.h"
 #include "ui/print/PdfPrinter.h"
 
@@ -64,7 +66,9 @@ Status writeOutputs(const EvaluateOutputs& outputs, SequenceReportInput found, c
             if (const Status drawn = writeCharts(sequenceCharts(found.scores), chart.path()); !drawn)
                 return drawn;
         if (pdf.wanted())
-            if (const Status set = PdfPrinter().printPdf(sequenceReport(found), pdf.path(), control); !set)
+            if (const Status set =
+                    PdfPrinter().printPdf(translated(sequenceReport(found), language()), pdf.path(), control);
+                !set)
                 return set;
     }
     std::vector<AtomicFile*> files;

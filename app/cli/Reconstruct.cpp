@@ -8,9 +8,13 @@
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/Numbers.h"
 #include "core/pipeline/RegistrationsJson.h"
+#include "core/report/CheckBlocks.h"
+#include "core/report/ChecksJson.h"
+#include "core/report/QuantityText.h"
 #include "core/report/ResultsJson.h"
 #include "core/report/Wording.h"
 #include "core/scene/CaseFile.h"
+#include "core/scene/Cleaning.h"
 #include "ui/print/PdfPrinter.h"
 
 namespace vestige::cli {
@@ -34,7 +38,8 @@ json layersJson(const SceneState& scene) {
                         {"method", layer.method},
                         {"path", layer.path.string()},
                         {"unit", std::string(symbol(layer.lengthUnit()))},
-                        {"points", layer.data->points->size()},
+                        {"points", loadedData(layer)->points->size()},
+                        {"removed", layer.cleaning ? layer.cleaning->removed.size() : 0},
                         {"triangles", layer.data->geometry->triangles.size()},
                         {"sha256", layer.data->sha256},
                         {"sha256_expected", layer.evidence ? json(layer.evidence->sha256) : json()},
@@ -53,6 +58,8 @@ json resultJson(const Reconstruction& result) {
             {"registration", registrationsJson(result.scene, true)},
             {"measurements", measurementsJson(result.measured)},
             {"accuracy", accuracyJson(result.measured.accuracy)},
+            {"quantities", quantitiesJson(result.measured)},
+            {"checks", checksJson(result.measured)},
             {"outputs", std::move(outputs)},
             {"not_made", result.notMade},
             {"warnings", result.warnings},
@@ -80,6 +87,13 @@ void printForPeople(const Session& session, const Reconstruction& result, const 
                       (method.excluded.empty() ? "" : ", without " + listed(method.excluded)) + "; of all " +
                       exactText(method.rmseAll.value_or(0)));
     }
+    for (const auto& kind : result.measured.kinds) {
+        if (kind.kind == MeasurementKind::distance) continue;
+        for (const auto& quantity : kind.quantities)
+            session.print(kind.object + ", " + kind.method + ", " + quantity.label + ": " +
+                          quantitySentence(quantity));
+    }
+    session.print(verificationSentence(result.measured));
     session.print(howMany(result.outputs.size(), "file") + " in " + out);
 }
 
@@ -103,6 +117,7 @@ int run(Session& session, const Options& options) {
         return session.failed(result.error());
     }
     for (const auto& missing : result->notMade) session.log("not made: " + missing);
+    for (const auto& failed : failedChecks(result->measured)) session.log("WARNING: " + failed);
     printForPeople(session, *result, options.out);
     session.printJson(resultJson(*result));
     return 0;

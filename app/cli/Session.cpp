@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 
 namespace vestige::cli {
 namespace {
@@ -57,7 +58,7 @@ void Session::log(const std::string& line) const {
 }
 
 int Session::failed(const Error& error) const {
-    std::cerr << "vestige-cli: " << error.sentence() << '\n';
+    std::cerr << "vestige-cli: " << say(error) << '\n';
     return static_cast<int>(error.code);
 }
 

@@ -133,10 +133,9 @@ ColorMode colorOf(const ViewDescription& view, const std::string& color) {
 
 }  // namespace
 
-Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, const FilePart& part,
-                                   Overlay overlay, const std::string& color, const Session& session,
-                                   const JobControl& control) {
-    return guarded(inputs.front(), [&]() -> Result<ViewDescription> {
+Result<ShownScene> shownScene(const std::vector<std::string>& inputs, const FilePart& part, Overlay overlay,
+                              const std::string& color, const Session& session, const JobControl& control) {
+    return guarded(inputs.front(), [&]() -> Result<ShownScene> {
         Result<SceneState> scene = sceneOf(inputs, session);
         if (!scene) return fail(scene.error());
         const bool isCase = looksLikeCase(inputs.front());
@@ -149,10 +148,11 @@ Result<ViewDescription> shownScene(const std::vector<std::string>& inputs, const
             hideUnplaced(*scene, session);
         }
         ViewDescription view = describeView(*scene, ColorMode::height, overlay);
+        if (isCase) hideObjects(view, *scene);
         view.colorMode = colorOf(view, color);
         if (!isCase && overlay == Overlay::residual) addResiduals(view, *scene);
         if (isCase) view.marks = marksOf(*scene, control);
-        return view;
+        return ShownScene{std::move(view), scene->savedViews, knowsNorth(*scene)};
     });
 }
 

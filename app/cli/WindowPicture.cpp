@@ -6,12 +6,14 @@
 #include <QPixmap>
 
 #include "app/offscreen/OffscreenApplication.h"
+#include "core/base/Translation.h"
 #include "core/pipeline/RegisterLayers.h"
 #include "core/scene/CaseFile.h"
 #include "ui/document/Document.h"
 #include "ui/jobs/InlineJobRunner.h"
 #include "ui/print/PdfPrinter.h"
 #include "ui/shell/MainWindow.h"
+#include "ui/shell/UseLanguage.h"
 #include "ui/view/PngFile.h"
 #include "ui/view/SceneView.h"
 
@@ -47,6 +49,7 @@ Status trigger(MainWindow& window, const std::vector<std::string>& ids) {
 }  // namespace
 
 Status drawWindow(const WindowPicture& wanted) {
+    useLanguage(language());
     MainWindow window(offscreenSurface(), offscreenRenderer(), std::make_unique<PdfPrinter>(), nullptr,
                       std::make_unique<InlineJobRunner>());
     window.setTheme(wanted.theme);

@@ -7,6 +7,7 @@
 
 #include "app/cli/Session.h"
 #include "core/base/Parallel.h"
+#include "core/base/Translation.h"
 #include "core/base/Version.h"
 
 namespace {
@@ -25,6 +26,12 @@ void addGlobalOptions(CLI::App& app, Session& session) {
                    "Threads to use; 0 or nothing means all cores. Results never depend on it.")
         ->check(CLI::Range(0, 1024));
     app.add_flag("--quiet", session.quiet, "No progress and no log on stderr, only errors.");
+    app.add_option_function<std::string>(
+           "--language", [](const std::string& chosen) { setLanguage(*languageFromName(chosen)); },
+           "Of reports, pictures and the window in them: en or zh_CN. Files for machines are English always. "
+           "Default: en.")
+        ->check(CLI::IsMember({"en", "zh_CN"}))
+        ->type_name("LANGUAGE");
     app.add_flag("--json", session.json, "One JSON object on stdout and nothing else there.");
 }
 

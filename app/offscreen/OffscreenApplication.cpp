@@ -8,6 +8,7 @@
 #include "app/offscreen/OsMesaContext.h"
 #include "ui/view/PaintedSurface.h"
 #include "ui/view/PictureRenderer.h"
+#include "ui/watch/WatchedApplication.h"
 
 namespace vestige {
 
@@ -30,14 +31,15 @@ struct OffscreenApplication::Private {
     std::unique_ptr<QApplication> application;
 };
 
-OffscreenApplication::OffscreenApplication() : d_(std::make_unique<Private>()) {
+OffscreenApplication::OffscreenApplication(double scale) : d_(std::make_unique<Private>()) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // The same picture on every machine, whatever the desktop of the user asks for.
-    qputenv("QT_SCALE_FACTOR", "1");
+    qputenv("QT_SCALE_FACTOR", QByteArray::number(scale));
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     qunsetenv("QT_QPA_PLATFORMTHEME");
     qunsetenv("QT_STYLE_OVERRIDE");
     qInstallMessageHandler(passOn);
-    d_->application = std::make_unique<QApplication>(d_->count, d_->arguments.data());
+    d_->application = std::make_unique<WatchedApplication>(d_->count, d_->arguments.data());
     // Qt has taken the environment's locale; numbers are written with a point everywhere.
     std::setlocale(LC_NUMERIC, "C");
 }

@@ -12,7 +12,8 @@ namespace vestige {
 /// picture or PDF; one per process. The environment's DISPLAY and QT_QPA_PLATFORM play no part.
 class OffscreenApplication {
   public:
-    OffscreenApplication();
+    /// `scale`: pixels of a screen for each of a window, whatever the desktop of the user asks for.
+    explicit OffscreenApplication(double scale = 1);
     ~OffscreenApplication();
     QApplication& application();
 

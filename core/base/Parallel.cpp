@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <optional>
+
+#include "core/base/CancelScope.h"
+#include "core/base/Result.h"
 
 namespace vestige {
 namespace {
@@ -55,7 +59,12 @@ void parallelChunks(std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {
     grain = std::max<std::size_t>(1, grain);
     const std::size_t chunks = (count + grain - 1) / grain;
+    const JobControl* job = CancelScope::current();
     const auto runChunk = [&](std::size_t chunk) {
+        if (job && job->cancelled()) throw ErrorException(cancelledError());
+        // Loops within this one, on other threads, belong to the same job.
+        std::optional<CancelScope> scope;
+        if (job && !CancelScope::current()) scope.emplace(*job);
         body(chunk, chunk * grain, std::min(count, (chunk + 1) * grain));
     };
     if (chunks <= 1 || threadCount() == 1) {

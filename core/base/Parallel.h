@@ -12,7 +12,7 @@ int threadCount();
 
 /// Calls `body(chunk, begin, end)` for the consecutive chunks of [0, count); all but the last have `grain`
 /// items, so the chunks, unlike the threads that run them, are the same on every machine. An exception thrown
-/// by a body stops the loop and leaves it.
+/// by a body stops the loop and leaves it, as cancelling does within a CancelScope.
 void parallelChunks(std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t chunk, std::size_t begin, std::size_t end)>& body);
 

@@ -58,23 +58,24 @@ double statisticalLimit(const std::vector<float>& values, double sigmas) {
     return mean + sigmas * std::sqrt(squares / (size - 1));
 }
 
-PointCloud withoutStatistical(const PointCloud& cloud, const OutlierOptions& options,
-                              const JobControl& control) {
+/// 1 for each point that stays.
+using Kept = std::vector<std::uint8_t>;
+
+Kept withoutStatistical(const PointCloud& cloud, const OutlierOptions& options, const JobControl& control) {
     const auto distances = neighbourDistances(cloud, static_cast<std::size_t>(options.neighbours), control);
     const double limit = statisticalLimit(distances, options.sigmas);
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t i = 0; i < cloud.size(); ++i)
-        if (static_cast<double>(distances[i]) <= limit) kept.push_back(i);
-    return cloud.select(kept);
+    Kept keep(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i) keep[i] = static_cast<double>(distances[i]) <= limit;
+    return keep;
 }
 
-PointCloud withoutLonely(const PointCloud& cloud, const OutlierOptions& options, const JobControl& control) {
+Kept withoutLonely(const PointCloud& cloud, const OutlierOptions& options, const JobControl& control) {
     const double radius = options.radius > 0 ? options.radius : automaticRadius(cloud);
     // Points that all coincide have all the neighbours one can ask for.
-    if (radius < kLeastRadius) return cloud;
+    if (radius < kLeastRadius) return Kept(cloud.size(), 1);
     const auto single = static_cast<float>(radius);
     const auto needed = static_cast<std::size_t>(options.minimumNeighbours) + 1;  // itself is found too
-    std::vector<std::uint8_t> keep(cloud.size(), 0);
+    Kept keep(cloud.size(), 0);
     forNearbyPoints(cloud, radius, "outliers", control, [&](const NearbyPoints& nearby) {
         for (std::size_t i = 0; i < nearby.own.size(); ++i) {
             const std::size_t self = nearby.firstOwn + i;
@@ -88,17 +89,18 @@ PointCloud withoutLonely(const PointCloud& cloud, const OutlierOptions& options,
             keep[nearby.own[i]] = within >= needed;
         }
     });
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t i = 0; i < cloud.size(); ++i)
-        if (keep[i]) kept.push_back(i);
-    return cloud.select(kept);
+    return keep;
 }
 
-}  // namespace
+std::vector<std::uint32_t> indicesOf(const Kept& kept, bool wanted) {
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < kept.size(); ++i)
+        if ((kept[i] != 0) == wanted) indices.push_back(i);
+    return indices;
+}
 
-Result<PointCloud> removeOutliers(const PointCloud& cloud, const OutlierOptions& options,
-                                  const JobControl& control) {
-    if (options.method == OutlierMethod::none || cloud.size() < 2) return cloud;
+Result<Kept> withoutOutliers(const PointCloud& cloud, const OutlierOptions& options,
+                             const JobControl& control) {
     if (options.neighbours < 1 || options.minimumNeighbours < 1)
         return fail(ErrorCode::usage, "outliers need a number of neighbours of at least 1", "outliers");
     if (!(options.sigmas >= 0) || !std::isfinite(options.sigmas))
@@ -106,10 +108,28 @@ Result<PointCloud> removeOutliers(const PointCloud& cloud, const OutlierOptions&
                     "the limit of " + exactText(options.sigmas) + " standard deviations is not allowed",
                     "outliers", "expected a number from 0 up");
     if (const Status checked = checkRadius(options.radius); !checked) return fail(checked.error());
-    return guarded("outliers", [&]() -> Result<PointCloud> {
+    return guarded("outliers", [&]() -> Result<Kept> {
         return options.method == OutlierMethod::statistical ? withoutStatistical(cloud, options, control)
                                                             : withoutLonely(cloud, options, control);
     });
+}
+
+}  // namespace
+
+Result<PointCloud> removeOutliers(const PointCloud& cloud, const OutlierOptions& options,
+                                  const JobControl& control) {
+    if (options.method == OutlierMethod::none || cloud.size() < 2) return cloud;
+    const auto kept = withoutOutliers(cloud, options, control);
+    if (!kept) return fail(kept.error());
+    return guarded("outliers", [&]() -> Result<PointCloud> { return cloud.select(indicesOf(*kept, true)); });
+}
+
+Result<std::vector<std::uint32_t>> findOutliers(const PointCloud& cloud, const OutlierOptions& options,
+                                                const JobControl& control) {
+    if (options.method == OutlierMethod::none || cloud.size() < 2) return std::vector<std::uint32_t>();
+    const auto kept = withoutOutliers(cloud, options, control);
+    if (!kept) return fail(kept.error());
+    return indicesOf(*kept, false);
 }
 
 }  // namespace vestige

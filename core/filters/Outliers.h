@@ -22,4 +22,8 @@ struct OutlierOptions {
 Result<PointCloud> removeOutliers(const PointCloud& cloud, const OutlierOptions& options,
                                   const JobControl& control = {});
 
+/// The outliers themselves, by ascending index; the same errors.
+Result<std::vector<std::uint32_t>> findOutliers(const PointCloud& cloud, const OutlierOptions& options,
+                                                const JobControl& control = {});
+
 }  // namespace vestige

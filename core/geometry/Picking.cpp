@@ -62,6 +62,7 @@ class LayerCone {
 
     /// The point as a pick, without its spacing; nothing unless it is a candidate.
     std::optional<Pick> candidate(std::uint32_t point) const {
+        if (layer_.hidden && (*layer_.hidden)[point]) return std::nullopt;
         Pick pick;
         pick.world = layer_.worldFromLayer * layer_.octree->cloud().point(point);
         const auto seen = camera_.project(pick.world);

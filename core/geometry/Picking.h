@@ -23,6 +23,8 @@ struct PickLayer {
     std::uint32_t layer = 0;  ///< the caller's number, returned in Pick
     const Octree* octree = nullptr;
     Similarity worldFromLayer;
+    /// Points that are not drawn (not 0), by index; null: all are.
+    const std::vector<std::uint8_t>* hidden = nullptr;
 };
 
 struct Pick {

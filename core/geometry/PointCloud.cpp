@@ -127,7 +127,8 @@ PointCloud PointCloud::transformed(const Similarity& toFromHere) && {
 }
 
 void PointCloud::keepDrawnAttributes() {
-    attributes_.classification = {};
+    std::vector<std::uint8_t>& classes = attributes_.classification;
+    if (std::all_of(classes.begin(), classes.end(), [](std::uint8_t one) { return one == 0; })) classes = {};
     attributes_.gpsTime = {};
     attributes_.pointSource = {};
     attributes_.returnNumber = {};

@@ -79,7 +79,7 @@ class PointCloud {
     PointCloud transformed(const Similarity& toFromHere) &&;
     /// The same points with other attributes.
     PointCloud withAttributes(PointAttributes attributes) const;
-    /// Without class, time, source and returns (ReadOptions::Attributes::drawn); in place.
+    /// Without time, source, returns, and classes that are all 0 (ReadOptions::Attributes::drawn); in place.
     void keepDrawnAttributes();
 
   private:

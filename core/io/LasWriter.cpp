@@ -92,11 +92,16 @@ class LasFileWriter {
     }
 
     void writePoints(AtomicFile& file, const LasPart& part, LazWriter* laz) {
+        constexpr std::byte kWithheld{4};  // bit 2 of the classification flags, LAS 1.4 table 18
+        std::span<const PointSet::Run> withheld;
+        if (part.withheld) withheld = part.withheld->runs();
         for (std::size_t i = 0; i < part.cloud->size(); ++i) {
             stepWriting(control_, totals_.points, total_);
             const std::array<std::int32_t, 3> integers = grid_.integers(world(part, i));
-            const std::vector<std::byte> record =
+            std::vector<std::byte> record =
                 encodePoint(part, i, integers, plan_.colored, options_.keepPointSource);
+            while (!withheld.empty() && withheld.front().second <= i) withheld = withheld.subspan(1);
+            if (!withheld.empty() && withheld.front().first <= i) record[15] |= kWithheld;
             if (laz)
                 laz->add(record);
             else

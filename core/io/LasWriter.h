@@ -12,6 +12,7 @@
 #include "core/base/JobControl.h"
 #include "core/base/Result.h"
 #include "core/geometry/PointCloud.h"
+#include "core/geometry/PointSet.h"
 #include "core/io/FileInfo.h"
 
 namespace vestige {
@@ -24,6 +25,7 @@ struct LasPart {
     /// Gets the same points, in the same order, with attributes that `cloud` lacks, when their turn has come;
     /// they are dropped once written. Empty: `cloud` has all.
     std::function<Result<std::shared_ptr<const PointCloud>>(const JobControl&)> complete = {};
+    const PointSet* withheld = nullptr;  ///< points that get the flag of that name; null: none
 };
 
 struct LasWriteOptions {

@@ -9,7 +9,7 @@ namespace vestige {
 namespace {
 
 /// Position, colour and intensity; then the index and what its sorting takes for a while.
-constexpr std::uint64_t kDrawnBytes = 20;
+constexpr std::uint64_t kDrawnBytes = 21;
 constexpr std::uint64_t kOtherAttributesBytes = 13;
 constexpr std::uint64_t kIndexPeakBytes = 22;
 /// Residuals, where there were none.

@@ -10,8 +10,9 @@ namespace vestige {
 /// What of a file is wanted. Readers of large formats heed it while they read; readGeometry() applies it to
 /// what the others return, so that every format behaves alike.
 struct ReadOptions {
-    /// `drawn`: position, intensity, colour, normals and triangles, which the view, picking and registration
-    /// need; the rest (class, time, source, returns) stays in the file until someone reads with `all`.
+    /// `drawn`: position, intensity, colour, class where any point has one, normals and triangles, which the
+    /// view, picking and registration need; the rest (time, source, returns) stays in the file until someone
+    /// reads with `all`.
     enum class Attributes { all, drawn };
     Attributes attributes = Attributes::all;
     /// Only points in this box (in the file's own unit and frame); a mesh loses the triangles that leave it.

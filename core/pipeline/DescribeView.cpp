@@ -1,6 +1,8 @@
 #include "core/pipeline/DescribeView.h"
 
+#include "core/pipeline/PointFlags.h"
 #include "core/pipeline/TargetDistances.h"
+#include "core/scene/Cleaning.h"
 
 namespace vestige {
 namespace {
@@ -19,6 +21,16 @@ std::shared_ptr<const std::vector<float>> residuals(const SceneState& scene, con
 }
 
 }  // namespace
+
+bool knowsNorth(const SceneState& scene) {
+    const Layer* target = scene.layer(scene.target);
+    if (!target) return false;
+    if (!target->data || target->data->points->empty()) return false;
+    if (!target->data->info.crs.empty()) return true;
+    constexpr double kMapGrid_m = 1e4;
+    const Eigen::Vector3d centre = sceneFromLayer(*target) * target->data->points->bounds().centre();
+    return target->role == LayerRole::aerial && centre.head<2>().cwiseAbs().maxCoeff() >= kMapGrid_m;
+}
 
 ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay, bool before,
                              const JobControl& control) {
@@ -40,6 +52,17 @@ ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overl
         view.layers.push_back(std::move(shown));
     }
     return view;
+}
+
+void hideObjects(ViewDescription& view, const SceneState& scene) {
+    for (ViewLayer& shown : view.layers) {
+        const Layer* layer = scene.layer(shown.id);
+        if (!layer || !layer->data) continue;
+        std::vector<const PointSet*> sets;
+        const auto hidden = hiddenSets(scene, *layer);
+        for (const auto& set : hidden) sets.push_back(set.get());
+        shown.hidden = pointFlags(*layer->data, sets);
+    }
 }
 
 }  // namespace vestige

@@ -12,6 +12,13 @@ namespace vestige {
 ViewDescription describeView(const SceneState& scene, ColorMode colorMode, Overlay overlay,
                              bool before = false, const JobControl& control = {});
 
+/// Whether the scene's y axis points north as far as the case knows: the target's file names a reference
+/// system, or it is an aerial cloud with coordinates of a map grid (10 km and more from its origin).
+bool knowsNorth(const SceneState& scene);
+
+/// Leaves the objects out that the case hides; for pictures without a window, which keeps track of them.
+void hideObjects(ViewDescription& view, const SceneState& scene);
+
 /// Marks for the measured lengths (mean ends of the repeats), for `describeView(...).marks`.
 std::vector<ViewMark> measurementMarks(const SceneState& scene, const MeasuredScene& measured);
 

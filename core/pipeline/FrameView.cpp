@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/Random.h"
+#include "core/geometry/SectionSlab.h"
 
 namespace vestige {
 namespace {
@@ -35,7 +38,8 @@ std::vector<Eigen::Vector3d> samplePoints(const ViewDescription& view) {
         Random random(kSample, index);
         for (std::size_t begin = 0; begin < cloud.size(); begin += stride) {
             const std::size_t run = std::min(stride, cloud.size() - begin);
-            sample.push_back(layer.worldFromLayer * cloud.point(begin + random.below(run)));
+            const Eigen::Vector3d point = layer.worldFromLayer * cloud.point(begin + random.below(run));
+            if (!view.section || view.section->contains(point)) sample.push_back(point);
         }
     }
     return sample;
@@ -46,14 +50,52 @@ struct Extent {
     double high;
 };
 
-/// Of all but the stray values; not for none.
-Extent extentOf(std::vector<double>& values) {
-    const auto drop = static_cast<std::ptrdiff_t>(kStray * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), values.begin() + drop, values.end());
-    const double low = values[drop];
-    std::nth_element(values.begin(), values.end() - 1 - drop, values.end());
-    return {low, *(values.end() - 1 - drop)};
+/// The value that `rank` others come before: few, so that the first of them are kept as a heap.
+template <class Before>
+double ranked(const std::vector<double>& values, std::size_t rank, const Before& before) {
+    std::vector<double> first(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank) + 1);
+    std::make_heap(first.begin(), first.end(), before);
+    for (std::size_t i = rank + 1; i < values.size(); ++i) {
+        if (!before(values[i], first.front())) continue;
+        std::pop_heap(first.begin(), first.end(), before);
+        first.back() = values[i];
+        std::push_heap(first.begin(), first.end(), before);
+    }
+    return first.front();
 }
+
+/// Of all but the stray values; not for none.
+Extent extentOf(const std::vector<double>& values) {
+    const auto drop = static_cast<std::size_t>(kStray * static_cast<double>(values.size()));
+    return {ranked(values, drop, std::less<>()), ranked(values, drop, std::greater<>())};
+}
+
+/// ViewCamera::project for many points of one camera: to the last bit the same.
+class Projection {
+  public:
+    explicit Projection(const ViewCamera& camera)
+        : camera_(camera),
+          forward_(camera.direction()),
+          right_(forward_.cross(camera.viewUp).normalized()),
+          up_(right_.cross(forward_)),
+          tangent_(std::tan(0.5 * camera.verticalAngle_rad)) {}
+    std::optional<Eigen::Vector2d> operator()(const Eigen::Vector3d& world) const {
+        const Eigen::Vector3d ray = world - camera_.position;
+        const double depth = ray.dot(forward_);
+        if (!camera_.parallel && depth <= 0) return std::nullopt;
+        const double halfHeight = camera_.parallel ? camera_.halfHeight_m : depth * tangent_;
+        const double scale = 1 / (2 * halfHeight / camera_.height_px);
+        return Eigen::Vector2d(0.5 * camera_.width_px + scale * ray.dot(right_),
+                               0.5 * camera_.height_px - scale * ray.dot(up_));
+    }
+
+  private:
+    const ViewCamera& camera_;
+    Eigen::Vector3d forward_;
+    Eigen::Vector3d right_;
+    Eigen::Vector3d up_;
+    double tangent_;
+};
 
 /// The box of all but the stray points on each axis.
 BoundingBox boxOf(const std::vector<Eigen::Vector3d>& sample) {
@@ -94,20 +136,26 @@ BoundingBox subjectBounds(const ViewDescription& view) {
     return box;
 }
 
-ViewCamera frameView(const ViewDescription& view, NamedView direction, int width_px, int height_px) {
-    const std::vector<Eigen::Vector3d> sample = samplePoints(view);
-    ViewCamera camera = fitCamera(boxOf(sample), direction, width_px, height_px);
+namespace {
+
+/// The camera moved, and brought nearer, until the points fill its picture.
+ViewCamera filled(ViewCamera camera, const std::vector<Eigen::Vector3d>& sample) {
+    const int width_px = camera.width_px;
+    const int height_px = camera.height_px;
     const Eigen::Vector3d forward = camera.direction();
     const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
     const Eigen::Vector3d up = right.cross(forward);
+    std::vector<double> across;
+    std::vector<double> down;
     for (int step = 0; step < kSteps; ++step) {
-        std::vector<double> across;
-        std::vector<double> down;
+        across.clear();
+        down.clear();
+        const Projection project(camera);
         for (const Eigen::Vector3d& point : sample) {
-            const auto seen = camera.project(point);
+            const auto seen = project(point);
             if (!seen) continue;
-            across.push_back(seen->pixel.x());
-            down.push_back(seen->pixel.y());
+            across.push_back(seen->x());
+            down.push_back(seen->y());
         }
         if (across.empty()) return camera;
         const Extent x = extentOf(across);
@@ -128,6 +176,64 @@ ViewCamera frameView(const ViewDescription& view, NamedView direction, int width
             camera.position = camera.focalPoint - factor * distance * forward;
     }
     return camera;
+}
+
+/// All of a section, where a sample has hardly a point in it.
+BoundingBox boxOf(const ViewDescription& view, const std::vector<Eigen::Vector3d>& sample) {
+    constexpr std::size_t kFew = 50;
+    BoundingBox box = boxOf(sample);
+    if (!view.section || sample.size() >= kFew) return box;
+    const BoundingBox scene = subjectBounds(view);
+    BoundingBox corners;
+    for (int corner = 0; corner < 8; ++corner) {
+        Eigen::Vector3d at = view.section->centre;
+        for (int axis = 0; axis < 3; ++axis)
+            at +=
+                ((corner >> axis) & 1 ? 1 : -1) * view.section->halfSize[axis] * axisOf(*view.section, axis);
+        corners.add(at);
+    }
+    if (scene.empty()) return corners;
+    corners.min = corners.min.cwiseMax(scene.min);
+    corners.max = corners.max.cwiseMin(scene.max);
+    return (corners.min.array() <= corners.max.array()).all() ? corners : box;
+}
+
+}  // namespace
+
+ViewCamera frameView(const ViewDescription& view, NamedView direction, int width_px, int height_px) {
+    const std::vector<Eigen::Vector3d> sample = samplePoints(view);
+    return filled(fitCamera(boxOf(view, sample), direction, width_px, height_px), sample);
+}
+
+ViewCamera framed(const ViewDescription& view, const ViewCamera& from) {
+    const std::vector<Eigen::Vector3d> sample = samplePoints(view);
+    const BoundingBox box = boxOf(view, sample);
+    if (box.empty()) return from;
+    const double reach = std::max(0.5 * box.diagonal(), 1e-3);
+    const double narrow = std::min(1.0, static_cast<double>(from.width_px) / from.height_px);
+    ViewCamera camera = from;
+    camera.focalPoint = box.centre();
+    camera.halfHeight_m = reach / narrow;
+    const double distance =
+        from.parallel ? 2 * reach + 1 : reach / narrow / std::tan(0.5 * from.verticalAngle_rad) + reach;
+    camera.position = camera.focalPoint - distance * from.direction();
+    return filled(camera, sample);
+}
+
+Eigen::Vector2d extentSeen_m(const ViewDescription& view, const ViewCamera& camera) {
+    std::vector<double> across;
+    std::vector<double> down;
+    for (const Eigen::Vector3d& point : samplePoints(view)) {
+        const auto seen = camera.project(point);
+        if (!seen) continue;
+        across.push_back(seen->pixel.x());
+        down.push_back(seen->pixel.y());
+    }
+    if (across.empty()) return Eigen::Vector2d::Zero();
+    const Extent x = extentOf(across);
+    const Extent y = extentOf(down);
+    const double metres = camera.metresPerPixel((camera.focalPoint - camera.position).norm());
+    return metres * Eigen::Vector2d(x.high - x.low, y.high - y.low);
 }
 
 }  // namespace vestige

@@ -14,6 +14,14 @@ BoundingBox subjectBounds(const ViewDescription& view);
 
 /// A camera of the named direction whose picture the subject layers fill. Unlike fitCamera of their bounds it
 /// follows the points themselves: a few stray ones (0.2 % on each side) do not make the scene small.
+/// Of a description with a section it is what lies in that.
 ViewCamera frameView(const ViewDescription& view, NamedView direction, int width_px, int height_px);
+
+/// The same for the direction, projection and size of a camera.
+ViewCamera framed(const ViewDescription& view, const ViewCamera& from);
+
+/// Width and height of what a camera sees of the subject layers, metres at its focal point's depth; without
+/// the same few stray points.
+Eigen::Vector2d extentSeen_m(const ViewDescription& view, const ViewCamera& camera);
 
 }  // namespace vestige

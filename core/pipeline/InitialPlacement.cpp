@@ -14,12 +14,12 @@ namespace {
 constexpr double kPickReach_m = 2;
 
 std::string describePairs(const PairAlignment& alignment) {
-    std::string text = "first pose from " + std::to_string(alignment.residuals_m.size()) +
-                       " picked pairs, each good to " + fixedText(1000 * alignment.error_m, 1) +
-                       " mm (residuals ";
-    for (std::size_t i = 0; i < alignment.residuals_m.size(); ++i)
-        text += (i ? ", " : "") + fixedText(1000 * alignment.residuals_m[i], 1);
-    return text + ")";
+    std::string residuals;
+    for (const double residual : alignment.residuals_m)
+        residuals += (residuals.empty() ? "" : ", ") + fixedText(1000 * residual, 1);
+    return "first pose from " + std::to_string(alignment.residuals_m.size()) +
+           " picked pairs, each good to " + fixedText(1000 * alignment.error_m, 1) + " mm (residuals " +
+           residuals + ")";
 }
 
 struct UnitChoice {

@@ -12,6 +12,7 @@
 #include "core/io/ApplyReadOptions.h"
 #include "core/io/FormatRegistry.h"
 #include "core/io/InputHash.h"
+#include "core/scene/CleanedData.h"
 
 namespace vestige {
 namespace {
@@ -135,7 +136,13 @@ Result<std::shared_ptr<const LayerData>> loadLayer(const Layer& layer, const std
     if (!check) return fail(check.error());
     if (!check->estimate.fits())
         return fail(tooLarge(file, check->estimate, commandLineOffer(check->estimate)));
-    return loadLayerData(file, options, control);
+    auto data = loadLayerData(file, options, control.sub(0, layer.cleaning ? 0.8 : 1));
+    if (!data || !layer.cleaning) return data;
+    Layer loaded = layer;
+    loaded.data = std::move(*data);
+    if (const Status cleaned = applyCleaning(loaded, control.sub(0.8, 1)); !cleaned)
+        return fail(cleaned.error());
+    return loaded.data;
 }
 
 Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem::path& file,
@@ -163,14 +170,14 @@ Result<std::shared_ptr<const LayerData>> previewLayerData(const std::filesystem:
 
 Result<std::shared_ptr<const PointCloud>> allAttributes(const Layer& layer, const std::filesystem::path& file,
                                                         const JobControl& control) {
-    constexpr std::array<std::string_view, 3> kDrawn{"intensity", "color", "normals"};
+    constexpr std::array<std::string_view, 4> kDrawn{"intensity", "color", "normals", "classification"};
     const std::vector<std::string>& names = layer.data->info.attributes;
     const bool complete = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
         return std::find(kDrawn.begin(), kDrawn.end(), name) != kDrawn.end();
     });
     const PointAttributes& held = layer.data->points->attributes();
-    const bool whole = !held.classification.empty() || !held.gpsTime.empty() || !held.pointSource.empty() ||
-                       !held.returnNumber.empty() || !held.returnCount.empty();
+    const bool whole = !held.gpsTime.empty() || !held.pointSource.empty() || !held.returnNumber.empty() ||
+                       !held.returnCount.empty();
     if (complete || whole) return layer.data->points;
     const auto isAsRead = [&] {
         const auto now = stampOf(file);

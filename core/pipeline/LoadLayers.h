@@ -34,7 +34,8 @@ std::string commandLineOffer(const LoadEstimate& estimate);
 /// whether there is memory for it.
 Result<std::shared_ptr<const LayerData>> loadLayerData(const std::filesystem::path& file,
                                                        const ReadOptions& options, const JobControl& control);
-/// checkLoad() and loadLayerData() of a layer whose file is `file`; refused with the command line's offer.
+/// checkLoad() and loadLayerData() of a layer whose file is `file`, cleaned as the case says; refused with
+/// the command line's offer.
 Result<std::shared_ptr<const LayerData>> loadLayer(const Layer& layer, const std::filesystem::path& file,
                                                    const JobControl& control);
 

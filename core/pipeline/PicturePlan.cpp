@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/Translation.h"
 #include "core/pipeline/CloseUp.h"
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
+#include "core/pipeline/KindPaths.h"
 #include "core/pipeline/MeasurementMarks.h"
+#include "core/pipeline/SavedViewPictures.h"
 
 namespace vestige {
 namespace {
@@ -21,7 +24,7 @@ constexpr int kHalfHeight = 675;
 
 /// What a caption adds when the view was cropped in height.
 std::string heightNote(bool leftOut) {
-    return leftOut ? "; what hangs above is left out" : "";
+    return leftOut ? say("; what hangs above is left out") : "";
 }
 
 /// How far above the ends of a length its object may reach: a roof over the sills of a car, little over a
@@ -89,6 +92,8 @@ class Planner {
 
     std::vector<PlannedPicture> plan() {
         overviews();
+        for (PlannedPicture& picture : savedViewPictures(scene_, measured_))
+            pictures_.push_back(std::move(picture));
         for (const Layer& layer : scene_.layers)
             if (layer.registration) registration(layer);
         closeUps();
@@ -108,12 +113,15 @@ class Planner {
 
     void overviews() {
         ViewDescription view = describeView(scene_, ColorMode::height, Overlay::none);
+        hideObjects(view, scene_);
         keepLayers(view, placedLayers(scene_));
         if (view.layers.empty()) return;
         view.camera = frameView(view, NamedView::perspective, kWidth, kHeight);
-        add("overview-perspective", ReportPicture::Kind::overview, {}, "The site, coloured by height", view);
+        add("overview-perspective", ReportPicture::Kind::overview, {}, say("The site, coloured by height"),
+            view);
         view.camera = frameView(view, NamedView::top, kWidth, kHeight);
-        add("overview-top", ReportPicture::Kind::overview, {}, "The site from above, coloured by height",
+        view.showNorthArrow = knowsNorth(scene_);
+        add("overview-top", ReportPicture::Kind::overview, {}, say("The site from above, coloured by height"),
             view);
         measuredObjects();
     }
@@ -131,15 +139,35 @@ class Planner {
             ceiling = std::max(ceiling, top(*mark) + clearance(*mark));
             view.marks.push_back(*mark);
         }
+        view.paths = placedPaths();
+        for (const ViewPath& path : view.paths)
+            for (const Eigen::Vector3d& point : path.points) {
+                box.add(point);
+                ceiling = std::max(ceiling, point.z() + 1);
+            }
         if (box.empty()) return;
         double radius = 0;
+        for (const ViewPath& path : view.paths)
+            for (const Eigen::Vector3d& point : path.points)
+                radius = std::max(radius, (point - box.centre()).norm());
         for (const ViewMark& mark : view.marks)
             radius = std::max({radius, (mark.a - box.centre()).norm(), (mark.b - box.centre()).norm()});
         radius += 0.5;
         const bool leftOut = cropView(view, scene_, box.centre(), 4 * radius, ceiling);
         view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.6});
         add("overview-objects", ReportPicture::Kind::overview, {},
-            "The measured objects, coloured by scan" + heightNote(leftOut), view);
+            say("The measured objects, coloured by scan") + heightNote(leftOut), view);
+    }
+
+    std::vector<ViewPath> placedPaths() const {
+        MeasuredScene placed;
+        const auto ids = placedLayers(scene_);
+        for (const MeasuredKind& kind : measured_.kinds)
+            if (std::all_of(kind.layers.begin(), kind.layers.end(), [&](const std::string& id) {
+                    return std::find(ids.begin(), ids.end(), id) != ids.end();
+                }))
+                placed.kinds.push_back(kind);
+        return measurementPaths(scene_, placed);
     }
 
     void registration(const Layer& layer) {
@@ -152,7 +180,9 @@ class Planner {
             view.camera = cameraAround(box.centre(), radius, {-0.5, 0.7, -0.5});
             add("registration-" + slug(layer.id) + (before ? "-before" : "-after"),
                 before ? ReportPicture::Kind::before : ReportPicture::Kind::after, layer.id,
-                layer.name + (before ? " at its first pose" : " as registered") + ", over the global cloud" +
+                say(before ? "%1 at its first pose, over the global cloud"
+                           : "%1 as registered, over the global cloud",
+                    {layer.name}) +
                     heightNote(leftOut),
                 std::move(view));
         }
@@ -191,7 +221,8 @@ class Planner {
         view.marks = {mark};
         view.marks.front().highlighted = true;
         add("length-" + twoDigits(number) + "-" + slug(length.object), ReportPicture::Kind::closeUp,
-            length.object, length.object + ", by " + length.method + ": " + mark.label + heightNote(leftOut),
+            length.object,
+            say("%1, by %2: %3", {length.object, say(length.method), mark.label}) + heightNote(leftOut),
             std::move(view));
     }
 

@@ -17,11 +17,12 @@ struct PlannedPicture {
     std::string subject;  ///< layer id or object
     std::string caption;
     ViewDescription view;
+    bool toScale = false;  ///< printed at the size that its dots per inch give
 };
 
 /// The pictures of a reconstruction: the site in perspective and from above, the measured objects together,
-/// every registered layer before and after, and a close-up of every measured object. Descriptions share the
-/// layers' data; close-ups hold only the points around their object.
+/// the case's saved views, every registered layer before and after, and a close-up of every measured object.
+/// Descriptions share the layers' data; close-ups hold only the points around their object.
 std::vector<PlannedPicture> planPictures(const SceneState& scene, const MeasuredScene& measured);
 
 }  // namespace vestige

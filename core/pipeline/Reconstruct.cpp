@@ -1,5 +1,8 @@
 #include "core/pipeline/Reconstruct.h"
 
+#include <array>
+#include <variant>
+
 #include "core/base/AtomicFile.h"
 #include "core/base/UtcTime.h"
 #include "core/pipeline/Manifest.h"
@@ -47,12 +50,28 @@ Status checkApart(const std::vector<InputFile>& inputs, const std::filesystem::p
     return {};
 }
 
+/// Of results that every run makes, before any is computed; what the run will make is known at its end.
+constexpr std::array kAlwaysMade{"fused.las",        "report.pdf",   "registration.json",
+                                 "measurements.csv", "accuracy.csv", "manifest.json"};
+
+Status checkApartEarly(const SceneState& scene, const std::filesystem::path& folder) {
+    std::vector<InputFile> inputs;
+    for (const Layer& layer : scene.layers) {
+        inputs.push_back({"layer " + layer.id, scene.resolve(layer.path), {}, {}});
+        if (const auto* picks = std::get_if<InitPicks>(&layer.init))
+            inputs.push_back({"picks of " + layer.id, scene.resolve(picks->picks), {}, {}});
+    }
+    std::vector<std::string> names(kAlwaysMade.begin(), kAlwaysMade.end());
+    return checkApart(inputs, folder, {}, names);
+}
+
 }  // namespace
 
 Result<Reconstruction> reconstruct(SceneState scene, const std::filesystem::path& outputFolder,
                                    ViewRenderer* renderer, DocumentPrinter* printer,
                                    const JobControl& control, SceneState* reached) {
     if (const Status checked = checkLayers(scene); !checked) return fail(checked.error());
+    if (const Status apart = checkApartEarly(scene, outputFolder); !apart) return fail(apart.error());
     ReconstructRun run{std::move(scene),
                        OutputFolder(outputFolder),
                        renderer,

@@ -12,12 +12,15 @@ std::string_view name(ColorMode mode) {
             return "rgb";
         case ColorMode::source:
             return "source";
+        case ColorMode::classification:
+            return "class";
     }
     return "";
 }
 
 std::optional<ColorMode> colorModeFromName(std::string_view text) {
-    for (const auto mode : {ColorMode::height, ColorMode::intensity, ColorMode::rgb, ColorMode::source})
+    for (const auto mode : {ColorMode::height, ColorMode::intensity, ColorMode::rgb, ColorMode::source,
+                            ColorMode::classification})
         if (name(mode) == text) return mode;
     return std::nullopt;
 }

@@ -15,10 +15,12 @@
 #include "core/geometry/SectionBox.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/geometry/ViewCamera.h"
+#include "core/pipeline/Coloring.h"
 
 namespace vestige {
 
-enum class ColorMode { height, intensity, rgb, source };
+/// `classification` is by the ASPRS classes of LAS files; the command line says "class".
+enum class ColorMode { height, intensity, rgb, source, classification };
 std::string_view name(ColorMode mode);
 std::optional<ColorMode> colorModeFromName(std::string_view name);
 
@@ -64,6 +66,9 @@ struct ViewLayer {
     bool visible = true;
     bool isTarget = false;  ///< what the others are registered to; for Overlay::registration
     std::optional<ViewSide> other = std::nullopt;  ///< in the other picture; nothing: the same
+    /// Per point, not 0: drawn in the colour of what is selected; neither drawn nor picked. Null: none.
+    std::shared_ptr<const std::vector<std::uint8_t>> selected = nullptr;
+    std::shared_ptr<const std::vector<std::uint8_t>> hidden = nullptr;
 };
 
 /// A measured pair drawn into the view with its length.
@@ -91,6 +96,13 @@ struct ViewPath {
     std::string name = {};  ///< of what is measured
 };
 
+/// A picture that is printed or laid on a drawing to scale.
+struct PictureScale {
+    std::optional<double> denominator;  ///< 100 for 1:100, noted on the picture; parallel cameras only
+    std::optional<double> dpi;          ///< dots per inch, written into the file; lettering grows with it
+    friend bool operator==(const PictureScale&, const PictureScale&) = default;
+};
+
 /// Everything a picture depends on: what is drawn is a function of this, in the window and without a display.
 struct ViewDescription {
     std::vector<ViewLayer> layers;
@@ -102,7 +114,10 @@ struct ViewDescription {
     ColorMode colorMode = ColorMode::height;
     Overlay overlay = Overlay::none;
     Theme theme = Theme::dark;
+    Coloring coloring;
+    PictureScale scale;
     double pointSize_px = 2;
+    bool transparent = false;  ///< where nothing is drawn the picture has no colour
     bool eyeDomeLighting = true;
     bool showLegend = true;
     bool showScaleBar = true;

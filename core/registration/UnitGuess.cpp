@@ -69,7 +69,7 @@ UnitGuess guessUnit(const TriangleMesh& target, double metresPerTarget, const Tr
         if (!ofFile) return guess;
         const double apart = *ofFile / guess.metresPerUnit;
         if (guess.certain && (apart < 0.8 || apart > 1.25)) {
-            guess.reason += ", although its file says " + unitWords(*ofFile);
+            guess.reason = guess.reason + ", although its file says " + unitWords(*ofFile);
             return guess;
         }
     }
@@ -79,20 +79,18 @@ UnitGuess guessUnit(const TriangleMesh& target, double metresPerTarget, const Tr
     const Size scene = sizeOf(target) * metresPerTarget;
     const Size scan = sizeOf(source);
     UnitGuess guess;
-    guess.reason = "The source is " + fixedText(scan.extent, 2) + " units across with a point every " +
-                   fixedText(scan.spacing, 3) + ", the target " + fixedText(scene.extent, 2) +
-                   " m with a point every " + fixedText(scene.spacing, 3) +
-                   " m, so the source is taken to be in ";
     const bool tooLarge = scan.extent > 5 * scene.extent;
     const bool tooCoarse = scan.extent > 0.5 * scene.extent && scan.spacing > 10 * scene.spacing;
     if (scene.extent > 0 && (tooLarge || tooCoarse)) {
         guess.metresPerUnit = metresPer(LengthUnit::millimetre);
         guess.certain = scan.extent > 50 * scene.extent;
-        guess.reason += "millimetres";
     } else {
         guess.certain = scan.extent < 3 * scene.extent && scan.spacing < 10 * scene.spacing;
-        guess.reason += "metres";
     }
+    guess.reason = "The source is " + fixedText(scan.extent, 2) + " units across with a point every " +
+                   fixedText(scan.spacing, 3) + ", the target " + fixedText(scene.extent, 2) +
+                   " m with a point every " + fixedText(scene.spacing, 3) +
+                   " m, so the source is taken to be in " + unitWords(guess.metresPerUnit);
     return guess;
 }
 

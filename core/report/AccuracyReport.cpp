@@ -111,6 +111,8 @@ Report accuracyReport(const std::vector<MethodAccuracy>& methods, const std::str
     report.date = readableDate(date);
     report.software = std::string("Vestige ") + kVersion;
     report.sections.push_back({"Accuracy against the tape", accuracyBlocks(methods)});
+    for (const auto& method : methods)
+        for (const auto& object : method.objects) report.names.push_back(object.object);
     return report;
 }
 

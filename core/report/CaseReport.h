@@ -9,9 +9,12 @@ namespace vestige {
 Section summarySection(const ReportInput& input);
 Section caseSection(const ReportInput& input);
 Section inputSection(const ReportInput& input);
+Section cleaningSection(const ReportInput& input);
 Section methodSection(const ReportInput& input);
 Section registrationSection(const ReportInput& input);
 Section lengthSection(const ReportInput& input);
+Section kindSection(const ReportInput& input);
+Section checkSection(const ReportInput& input);
 Section accuracySection(const ReportInput& input);
 Section uncertaintySection(const ReportInput& input);
 Section notesSection(const ReportInput& input);

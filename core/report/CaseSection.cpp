@@ -23,7 +23,7 @@ Section caseSection(const ReportInput& input) {
     Section section{"The case", {std::move(facts)}};
     for (const auto& picture : input.pictures)
         if (picture.kind == ReportPicture::Kind::overview)
-            section.blocks.push_back(Picture{picture.png, picture.caption, 1});
+            section.blocks.push_back(Picture{picture.png, picture.caption, 1, picture.toScale});
     return section;
 }
 

@@ -1,6 +1,8 @@
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
+#include "core/scene/Cleaning.h"
 #include "core/scene/FileEvidence.h"
 
 namespace vestige {
@@ -42,13 +44,13 @@ Section inputSection(const ReportInput& input) {
     Facts hashes;
     for (std::size_t i = 0; i < input.scene.layers.size(); ++i) {
         const Layer& layer = input.scene.layers[i];
-        if (!layer.data) continue;
+        if (!loadedData(layer)) continue;
         const FileInfo& info = layer.data->info;
-        table.rows.push_back({std::to_string(i + 1), layer.name, std::string(name(layer.role)),
+        table.rows.push_back({std::to_string(i + 1), layer.name, say(name(layer.role)),
                               layer.path.filename().string(),
-                              info.format + (info.version.empty() ? "" : " " + info.version),
-                              std::string(symbol(layer.lengthUnit())), grouped(layer.data->points->size()),
-                              extentText(layer)});
+                              info.format + (info.version.empty() ? "" : " " + say(info.version)),
+                              std::string(symbol(layer.lengthUnit())),
+                              grouped(loadedData(layer)->points->size()), extentText(layer)});
         hashes.rows.emplace_back(layer.path.filename().string(), layer.data->sha256);
     }
     if (table.rows.empty()) return section;

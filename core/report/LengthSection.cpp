@@ -48,7 +48,7 @@ Section lengthSection(const ReportInput& input) {
                   "repeats. U 95 % is the "
                   "expanded uncertainty: with a probability of 95 % the true length lies within the mean "
                   "plus or minus U (how it is "
-                  "found stands under \u201cUncertainty of the lengths\u201d). RE is the relative error "
+                  "found stands under \u201cUncertainty of the figures\u201d). RE is the relative error "
                   "against the tape."});
     if (std::any_of(input.measured.lengths.begin(), input.measured.lengths.end(),
                     [](const MeasuredLength& length) { return length.fitted; }))

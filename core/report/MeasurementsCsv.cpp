@@ -20,6 +20,17 @@ std::string repeat(const MeasuredLength& length, std::size_t i) {
                                                                 : std::string();
 }
 
+const MeasuredKind* kindOf(const MeasuredScene& measured, const MeasuredLength& length) {
+    for (const MeasuredKind& kind : measured.kinds)
+        if (kind.object == length.object && kind.method == length.method) return &kind;
+    return nullptr;
+}
+
+std::string meanOf(const MeasuredKind* kind, const std::string& quantity) {
+    const QuantityStatistic* found = kind ? kind->find(quantity) : nullptr;
+    return found ? exactText(found->mean) : std::string();
+}
+
 }  // namespace
 
 std::string measurementsCsv(const MeasuredScene& measured) {
@@ -32,6 +43,7 @@ std::string measurementsCsv(const MeasuredScene& measured) {
         "measured_3_m", "measured_mean_m", "repeat_sd_m", "expanded_uncertainty_m", "re",
         "excluded"};
     for (std::size_t i = kRule; i < repeats; ++i) head.push_back("measured_" + std::to_string(i + 1) + "_m");
+    for (const char* name : {"kind", "horizontal_m", "vertical_m"}) head.emplace_back(name);
     head.emplace_back("small");
     std::string csv = csvLine(head);
     for (const auto& length : measured.lengths) {
@@ -44,6 +56,10 @@ std::string measurementsCsv(const MeasuredScene& measured) {
         row.push_back(text(length.re));
         row.push_back(length.excluded ? "true" : "false");
         for (std::size_t i = kRule; i < repeats; ++i) row.push_back(repeat(length, i));
+        const MeasuredKind* kind = kindOf(measured, length);
+        row.push_back(kind ? std::string(name(kind->kind)) : std::string());
+        row.push_back(meanOf(kind, "horizontal"));
+        row.push_back(meanOf(kind, "vertical"));
         row.push_back(length.small ? "true" : "false");
         csv += csvLine(row);
     }

@@ -37,7 +37,8 @@ std::vector<BarChart> relativeErrorCharts(std::span<const MethodAccuracy> method
         const auto to = static_cast<std::ptrdiff_t>((k + 1) * objects / count);
         BarChart part{
             whole.caption, whole.unit, {whole.categories.begin() + from, whole.categories.begin() + to}, {}};
-        if (count > 1) part.caption += " (" + std::to_string(k + 1) + " of " + std::to_string(count) + ")";
+        if (count > 1)
+            part.caption = part.caption + " (" + std::to_string(k + 1) + " of " + std::to_string(count) + ")";
         for (const auto& series : whole.series)
             part.series.push_back({series.name,
                                    {series.values.begin() + from, series.values.begin() + to},

@@ -18,6 +18,7 @@ struct ReportPicture {
     std::string subject;  ///< layer id (before, after) or object (closeUp)
     std::filesystem::path png;
     std::string caption;
+    bool toScale = false;  ///< shown at the size that its file's dots per inch give
 };
 
 struct StageTime {

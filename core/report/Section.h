@@ -28,6 +28,7 @@ struct Picture {
     std::filesystem::path png;
     std::string caption;
     double width = 1;  ///< share of the text's width; two of 0.5 that follow each other stand side by side
+    bool toScale = false;  ///< as large as its file's dots per inch say, as far as the page has room
 };
 struct BarChart {
     std::string caption;
@@ -52,7 +53,19 @@ struct LineChart {
     };
     std::vector<Series> series;
 };
-using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart, LineChart>;
+/// Lines in metres on axes as they are, not logarithmic: a cross-section, a crush profile.
+struct Diagram {
+    std::string caption;
+    std::string xName;  ///< with unit
+    std::string yName;
+    struct Series {
+        std::string name;
+        std::vector<std::pair<double, double>> points;
+        bool dots = false;  ///< marks its points, e.g. stations
+    };
+    std::vector<Series> series;
+};
+using Block = std::variant<Paragraph, Facts, Table, Picture, BarChart, LineChart, Diagram>;
 
 struct Section {
     std::string title;
@@ -67,6 +80,8 @@ struct Report {
     std::string date;  ///< as people read it: readableDate()
     std::string software;
     std::vector<Section> sections;
+    std::vector<std::string>
+        names;  ///< that people gave: case, operator, layers, objects, files; never translated
 };
 
 }  // namespace vestige

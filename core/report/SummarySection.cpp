@@ -1,5 +1,7 @@
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/report/CaseReport.h"
+#include "core/report/CheckBlocks.h"
 #include "core/report/Wording.h"
 #include "core/scene/FileEvidence.h"
 
@@ -22,8 +24,8 @@ std::string accuracySentence(const MethodAccuracy& method) {
         "Measured by " + method.name + ", " + howMany(method.n - method.excluded.size(), "object") +
         " with a tape value show a root mean square relative error of " + percent(method.rmse.value_or(0), 2);
     if (!method.excluded.empty())
-        text += " (" + percent(method.rmseAll.value_or(0), 2) + " with the excluded " +
-                listed(method.excluded) + ")";
+        text = text + " (" + percent(method.rmseAll.value_or(0), 2) + " with the excluded " +
+               listed(method.excluded) + ")";
     return text + ".";
 }
 
@@ -37,7 +39,7 @@ Section summarySection(const ReportInput& input) {
         if (length.length)
             ++measured;
         else
-            missing.push_back(length.object + " (" + length.method + ")");
+            missing.push_back(length.object + " (" + say(length.method) + ")");
     }
     std::string text = "From " + howMany(input.scene.layers.size(), "point cloud") + ", " +
                        howMany(measured, "length") + (measured == 1 ? " was" : " were") + " measured.";
@@ -46,6 +48,7 @@ Section summarySection(const ReportInput& input) {
     section.blocks.push_back(Paragraph{text});
     for (const auto& method : input.measured.accuracy)
         if (method.n > 0) section.blocks.push_back(Paragraph{accuracySentence(method)});
+    section.blocks.push_back(Paragraph{verificationSentence(input.measured)});
     std::vector<std::string> changed;
     std::vector<std::string> partial;
     for (const auto& layer : input.scene.layers) {

@@ -1,14 +1,16 @@
 #include <algorithm>
 
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
+#include "core/report/BudgetBlocks.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
 
 namespace vestige {
 
 Section uncertaintySection(const ReportInput& input) {
-    Section section{"Uncertainty of the lengths", {}};
-    if (input.measured.lengths.empty()) return section;
+    Section section{"Uncertainty of the figures", {}};
+    if (input.measured.lengths.empty() && input.measured.kinds.empty()) return section;
     section.blocks.push_back(
         Paragraph{"The uncertainty of a length is found after the \u201cGuide to the expression of "
                   "uncertainty in measurement\u201d (GUM). "
@@ -38,7 +40,7 @@ Section uncertaintySection(const ReportInput& input) {
     table.numeric = {false, false, true};
     for (const auto& layer : input.scene.layers)
         table.rows.push_back(
-            {layer.name, std::string(name(layer.role)), fixedText(1000 * sensorNoise_m(layer.role), 1)});
+            {layer.name, say(name(layer.role)), fixedText(1000 * sensorNoise_m(layer.role), 1)});
     section.blocks.push_back(std::move(table));
 
     double largest = 0;
@@ -57,6 +59,7 @@ Section uncertaintySection(const ReportInput& input) {
             "digit divided by the "
             "square root of 12. This limits what a relative error can show, most for short objects: here " +
             percent(largest, 2) + " for " + where + "."});
+    addBudgets(section, input.measured);
     return section;
 }
 

@@ -34,6 +34,10 @@ std::unique_ptr<SceneEdit> renameMeasurement(std::string object, std::string new
 /// One repetition more under `layer` (the key of the picks). Changes nothing when there is no such object.
 std::unique_ptr<SceneEdit> addPick(std::string object, std::string layer, PickedPair pair);
 std::unique_ptr<SceneEdit> removePick(std::string object, std::string layer, std::size_t repeat);
+/// Puts `point` in the place of one end of a repetition (`second`: the pair's b). Changes nothing when there
+/// is no such repetition, or the end is the same already.
+std::unique_ptr<SceneEdit> movePick(std::string object, std::string layer, std::size_t repeat, bool second,
+                                    PickedPoint point);
 /// Metres above 0, or nothing; anything else changes nothing.
 std::unique_ptr<SceneEdit> setTape(std::string object, std::optional<double> tape_m);
 std::unique_ptr<SceneEdit> setCaseDetails(std::string name, std::string operatorName,

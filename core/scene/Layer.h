@@ -20,7 +20,7 @@
 
 namespace vestige {
 
-class PointSet;
+struct Cleaning;
 
 enum class LayerRole { aerial, handheld, photogrammetry };
 std::string_view name(LayerRole role);
@@ -81,9 +81,8 @@ struct Layer {
     bool salvage = false;  ///< of a damaged file what is whole is read; someone has agreed to that
     bool visible = true;
     std::array<std::uint8_t, 3> tint{160, 180, 200};  ///< colour by source
-    /// Points that cleaning took out of the scene, as indices into the points as loaded; null for none. The
-    /// file keeps them.
-    std::shared_ptr<const PointSet> removed;
+    /// What cleaning took out of the scene; null for nothing. The file keeps it.
+    std::shared_ptr<const Cleaning> cleaning;
 
     std::shared_ptr<const LayerData> data;           ///< null until loaded
     std::optional<RegistrationResult> registration;  ///< null until registered

@@ -47,8 +47,11 @@ std::vector<std::string> orderedKeys(const SceneState& scene, const Measurement&
 double localSpacing_m(const SceneState& scene, const PickedPoint& point) {
     if (point.localSpacing_m) return *point.localSpacing_m;
     const Layer& layer = *scene.layer(point.layer);
-    if (!layer.data || !layer.data->octree || layer.data->octree->cloud().empty()) return 0;
-    const Octree& octree = *layer.data->octree;
+    // As loaded: what cleaning takes away round a pick makes it no less certain.
+    const LayerData* data = layer.data.get();
+    if (data && data->uncleaned) data = data->uncleaned.get();
+    if (!data || !data->octree || data->octree->cloud().empty()) return 0;
+    const Octree& octree = *data->octree;
     const Similarity sceneFromHere = sceneFromLayer(layer);
     const Eigen::Vector3d inLayer = sceneFromHere.inverse() * scenePosition(scene, point);
     std::vector<Octree::Neighbour> found;
@@ -251,16 +254,24 @@ MeasuredScene measureScene(const SceneState& scene) {
         bool fitted;
     };
     std::vector<Way> ways;
-    for (const std::string& method : methodsOf(scene)) {
+    const std::vector<std::string> methods = methodsOf(scene);
+    for (const std::string& method : methods) {
         ways.push_back({method, false});
         if (hasFittedPicks(scene, method)) ways.push_back({method, true});
     }
+    result.kinds = measureKinds(scene, methods);
     for (const Measurement& measurement : scene.measurements)
-        for (const Way& way : ways)
-            result.lengths.push_back(measured(scene, measurement, way.method, way.fitted));
+        for (const Way& way : ways) {
+            const std::string method = way.fitted ? fittedMethod(way.method) : way.method;
+            if (measurement.kind == MeasurementKind::distance)
+                result.lengths.push_back(measured(scene, measurement, way.method, way.fitted));
+            else if (auto row = lengthOfKind(result.kinds, measurement, method))
+                result.lengths.push_back(std::move(*row));
+        }
     for (const Way& way : ways)
         result.accuracy.push_back(
             accuracyOf(way.fitted ? fittedMethod(way.method) : way.method, result.lengths));
+    result.checks = distanceChecks(scene, result.lengths);
     return result;
 }
 

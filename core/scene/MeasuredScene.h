@@ -7,6 +7,7 @@
 
 #include "core/measurement/Accuracy.h"
 #include "core/measurement/Length.h"
+#include "core/scene/MeasuredKinds.h"
 #include "core/scene/Scene.h"
 
 namespace vestige {
@@ -33,6 +34,8 @@ struct MeasuredLength {
 struct MeasuredScene {
     std::vector<MeasuredLength> lengths;   ///< by object, then method, in the order of the case
     std::vector<MethodAccuracy> accuracy;  ///< one per method
+    std::vector<MeasuredKind> kinds;       ///< every figure, by object, then method
+    std::vector<DistanceCheck> checks;     ///< known distances, by object, then method
 };
 
 /// METHOD section 5 on the picks of the scene. Methods are those of the scene's layers (and of picks), in

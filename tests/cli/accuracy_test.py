@@ -6,6 +6,7 @@ accuracy_test.py VESTIGE_CLI
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -59,7 +60,8 @@ class Accuracy(unittest.TestCase):
         told = json.loads(cli("accuracy", ORACLES / "table5.csv", "--out", out, "--json").stdout)
         with out.open(newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(list(rows[0]), ["method", "n", "sd", "rmse", "rmse_all", "rmse_abs_m", "excluded"])
+        self.assertEqual(list(rows[0]), ["method", "n", "sd", "rmse", "rmse_all", "rmse_abs_m", "excluded",
+                                         "rmse_large", "small"])
         self.assertEqual(float(rows[1]["rmse"]), told["methods"][1]["rmse"])
         self.assertEqual(rows[1]["excluded"].split(";"), told["methods"][1]["excluded"])
         self.assertEqual(round(float(rows[1]["rmse_abs_m"]), 4), 0.0355)
@@ -70,6 +72,25 @@ class Accuracy(unittest.TestCase):
         text = subprocess.run(["pdftotext", "-layout", out, "-"], capture_output=True, text=True, check=True).stdout
         self.assertIn("Tripod length", text)
         self.assertIn("4.51", text.replace(" ", ""))  # kerned digits come apart
+
+    def test_language_is_of_the_report_alone(self):
+        table = ORACLES / "table5.csv"
+        for language in ("en", "zh_CN"):
+            cli("accuracy", table, "--language", language, "--out", self.folder / f"{language}.csv",
+                "--pdf", self.folder / f"{language}.pdf")
+        self.assertEqual((self.folder / "en.csv").read_bytes(), (self.folder / "zh_CN.csv").read_bytes())
+        pdf = self.folder / "zh_CN.pdf"
+        text = subprocess.run(["pdftotext", "-layout", pdf, "-"], capture_output=True, text=True, check=True).stdout
+        for part in ("准确度报告", "相对于卷尺的准确度", "激光扫描", "4.27", "第 1 页"):
+            self.assertIn(part, text)
+        with table.open(newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                for word in re.split(r"[\s-]", row["object"]):
+                    text = text.replace(word, "")
+        same = {"RMSE", "Vestige", "UTC", "SD", "RE"}
+        self.assertEqual(set(re.findall("[A-Za-z]{2,}", text)) - same - {"mm", "table", "csv"}, set())
+        self.assertIn("无法打开文件进行读取", cli("accuracy", self.folder / "absent.csv", "--language", "zh_CN", code=3).stderr)
+        cli("accuracy", table, "--language", "de", code=2)
 
     def test_words_for_people(self):
         told = cli("accuracy", ORACLES / "table6.csv").stdout

@@ -19,7 +19,7 @@ from pathlib import Path
 
 CLI = sys.argv[1]
 SECONDS = sys.argv[2] if len(sys.argv) > 2 else "12"
-STABLE = ("fused.las", "registration.json", "measurements.csv", "accuracy.csv")
+STABLE = ("fused.las", "registration.json", "measurements.csv", "accuracy.csv", "quantities.csv", "uncertainty.csv")
 REAL = [f"measured_{i}_m" for i in (1, 2, 3)]
 
 

@@ -171,8 +171,112 @@ class Screenshot(unittest.TestCase):
         cli("screenshot", self.folder / "none.las", "--out", self.folder / "n.png", "--window", code=3)
         cli("screenshot", self.site, "--out", self.site / "w.png", "--window", code=5)
 
+    def block(self):
+        """Corners of a box of 4 x 2 x 1 m, in a colour that nothing else has, and grey points between them."""
+        corners = [(483404 + x, 4375665 + y, 35 + z) for x in (0, 4) for y in (0, 2) for z in (0, 1)]
+        chance = random.Random(5)
+        grey = [(483404 + chance.uniform(.3, 3.7), 4375665 + chance.uniform(.3, 1.7), 35 + chance.uniform(.3, .7))
+                for _ in range(500)]
+        ply = self.folder / "block.ply"
+        ply.write_text("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+                       "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+                       "end_header\n" % (len(corners) + len(grey))
+                       + "".join(f"{x} {y} {z} 255 0 255\n" for x, y, z in corners)
+                       + "".join(f"{x:.4f} {y:.4f} {z:.4f} 90 90 90\n" for x, y, z in grey))
+        return ply
+
+    def spots(self, rows):
+        """Middles of the four spots of that colour, which lie in the four quarters of the picture."""
+        found = {}
+        for y, row in enumerate(rows):
+            for x, (r, g, b) in enumerate(row):
+                if r > 120 and b > 120 and g < 60:
+                    spot = found.setdefault((x > len(row) / 2, y > len(rows) / 2), [])
+                    spot.append((x + .5, y + .5))
+        self.assertEqual(len(found), 4)
+        middle = lambda spot: tuple(sum(part) / len(spot) for part in zip(*spot))
+        return {place: middle(spot) for place, spot in found.items()}
+
+    def test_a_picture_to_scale_measures_what_the_scene_does(self):
+        block, out = self.block(), self.folder / "scale.png"
+        for view, scale, dpi, across, down in (("top", 100, 300, 4, 2), ("front", 50, 200, 4, 1), ("left", 25, 150, 2, 1)):
+            done = cli("--json", "screenshot", block, "--out", out, "--view", view, "--scale", scale, "--dpi", dpi,
+                       "--size", "900x700", "--color", "rgb")
+            metre = dpi / .0254 / scale
+            told = json.loads(done.stdout)
+            self.assertEqual((told["width"], told["height"], told["scale"], told["dpi"]), (900, 700, scale, dpi))
+            self.assertAlmostEqual(told["pixels_per_m"], metre)
+            width, height, rows = picture(out)
+            self.assertEqual((width, height), (900, 700))
+            spots = self.spots(rows)
+            for low in (False, True):
+                self.assertAlmostEqual(spots[True, low][0] - spots[False, low][0], across * metre, delta=1)
+            for right in (False, True):
+                self.assertAlmostEqual(spots[right, True][1] - spots[right, False][1], down * metre, delta=1)
+            data = out.read_bytes()
+            place = data.index(b"pHYs") + 4
+            dots = round(dpi / .0254)
+            self.assertEqual(struct.unpack(">IIB", data[place:place + 9]), (dots, dots, 1))
+
+    def test_a_picture_to_scale_holds_all_there_is(self):
+        out = self.folder / "scale.png"
+        cli("screenshot", self.block(), "--out", out, "--view", "top", "--scale", 100, "--color", "rgb")
+        width, height, rows = picture(out)
+        metre, margin = 300 / .0254 / 100, 2 * .01 * 300 / .0254
+        self.assertAlmostEqual(width, 4 * metre + margin, delta=8)
+        self.assertAlmostEqual(height, 2 * metre + margin, delta=8)
+        spots = self.spots(rows)
+        self.assertAlmostEqual(spots[True, True][0] - spots[False, True][0], 4 * metre, delta=1)
+        done = cli("screenshot", self.block(), "--out", out, "--scale", 100, code=2)
+        self.assertIn("perspective has no scale", done.stderr)
+
+    def test_a_large_picture_is_drawn_in_parts(self):
+        out = self.folder / "large.png"
+        cli("screenshot", self.block(), "--out", out, "--view", "top", "--size", "5000x300", "--color", "rgb",
+            "--point-size", 3)
+        width, height, rows = picture(out)
+        self.assertEqual((width, height), (5000, 300))
+        self.spots(rows)
+
+    def test_a_section_shows_only_what_lies_in_it(self):
+        out = self.folder / "p.png"
+        cli("screenshot", self.block(), "--out", out, "--view", "top", "--size", "600x400", "--color", "rgb",
+            "--section", "483403,4375664,34,483407,4375668,37")
+        _, _, rows = picture(out)
+        found = [(x, y) for y, row in enumerate(rows) for x, (r, g, b) in enumerate(row) if r > 120 and b > 120 and g < 60]
+        self.assertTrue(found)
+        self.assertTrue(all(x < 300 for x, y in found), "the corners with the larger x are cut away")
+
+    def test_colours_by_class_and_range(self):
+        plain, out = self.folder / "a.png", self.folder / "b.png"
+        cli("screenshot", self.site, "--out", plain, "--size", "320x200", "--view", "top")
+        seen = {plain.read_bytes()}
+        for options in (["--map", "viridis"], ["--range", "30,40"], ["--grid"], ["--north"], ["--color", "class"],
+                        ["--transparent"]):
+            cli("screenshot", self.site, "--out", out, "--size", "320x200", "--view", "top", *options)
+            seen.add(out.read_bytes())
+        self.assertEqual(len(seen), 7)
+
+    def test_a_saved_view_of_the_case(self):
+        site = {"position": [483405, 4375666, 60], "focal_point": [483405, 4375666, 35], "view_up": [0, 1, 0],
+                "parallel": True, "half_height_m": 3, "width_px": 600, "height_px": 400}
+        (self.folder / "case.json").write_text(json.dumps({
+            "vestige": 1, "name": "Two clouds",
+            "layers": [{"id": "aerial", "role": "aerial", "path": "site.xyz", "unit": "m"}],
+            "saved_views": [{"name": "The middle", "camera": site, "scale": 50}]}))
+        out = self.folder / "p.png"
+        done = cli("--json", "screenshot", self.folder / "case.json", "--out", out, "--saved-view", "The middle",
+                   "--size", "600x400")
+        told = json.loads(done.stdout)
+        self.assertEqual((told["scale"], told["dpi"], told["saved_view"]), (50, 300, "The middle"))
+        done = cli("screenshot", self.folder / "case.json", "--out", out, "--saved-view", "Another", code=2)
+        self.assertIn("The middle", done.stderr)
+
     def test_a_wrong_command_line_is_2(self):
         out = self.folder / "p.png"
+        for options in (["--scale", "-1"], ["--dpi", "3"], ["--section", "0,0,0,1,1"], ["--range", "2,1"],
+                        ["--section", "0,0,0,0,1,1"], ["--map", "jet"], ["--saved-view", "x"]):
+            cli("screenshot", self.site, "--out", out, *options, code=2)
         for options in (["--size", "12"], ["--size", "0x0"], ["--view", "below"], ["--overlay", "some"]):
             cli("screenshot", self.site, "--out", out, *options, code=2)
         cli("screenshot", self.site, code=2)

@@ -73,6 +73,8 @@ OWN = {
         b'microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="7"><mesh><vertices><vertex x="0" y="0" z="0"/></vertices>'
         b'</mesh></object></resources></model>',
     ],
+    "points": [b"local index,x,y,z\n17,518440.25,4326120.5,-3.1\n", b"\"Mirror, left\";1;2;3\n", b"//X Y Z\n1 2 3\n"],
+    "tapes": [b"object,method,tape_m,kind\n\"A, b\",lidar,0.234,circle\nC,lidar,,\n", b"A\t4.93\n"],
     "pts": [b"2\n1 2 3 -5 255 0 0\n4 5 6 7 0 0 255\n"],
 }
 FOLDERS = {"picks": ("registration", "*_picks.csv"), "pose": ("registration", "*_pose.json"), "accuracy": ("oracles", "*.csv")}
@@ -98,7 +100,7 @@ def seeds(target):
         folder, pattern = FOLDERS[target]
         for file in sorted((ROOT / "tests" / "data" / folder).glob(pattern)):
             yield file.read_bytes()
-    if target in ("case", "trajectory") or target in FOLDERS or not SHARED.is_dir():
+    if target in ("case", "trajectory", "points", "tapes") or target in FOLDERS or not SHARED.is_dir():
         return
     wanted = {target, *ALSO.get(target, [])}
     files = [file for file in SHARED.rglob("*") if file.is_file() and file.suffix[1:].lower() in wanted]

@@ -25,8 +25,21 @@ class ActionCatalog : public QObject {
     /// The action of the table; asking for an id it does not have is a programming error and ends the
     /// program.
     QAction& operator[](const std::string& id) const;
+    bool has(const std::string& id) const { return actions_.contains(id); }
+    /// The words of the table, with mnemonic, whatever the action says at present.
+    QString text(const ActionSpec& spec) const;
+    QString menuText(const ActionSpec& spec) const;
+
     void onTriggered(const std::string& id, std::function<void()> reaction);
     void onToggled(const std::string& id, std::function<void(bool)> reaction);
+
+    /// Whether something happens when the action is triggered.
+    bool hasReaction(const std::string& id) const { return reactions_.contains(id); }
+    /// How often its reactions have run.
+    int reactionsOf(const std::string& id) const;
+
+    /// Changes the action's shortcut; an empty one takes it away. Tool tips follow.
+    void setShortcut(const std::string& id, const QKeySequence& keys);
 
     /// Enables and disables every action.
     void update(const Situation& situation);
@@ -36,7 +49,10 @@ class ActionCatalog : public QObject {
     void fill(QMenuBar& bar) const;
 
   private:
+    void tip(const ActionSpec& spec);
+
     std::map<std::string, QAction*> actions_;
+    std::map<std::string, int> reactions_;  ///< how often they ran, by id
 };
 
 }  // namespace vestige

@@ -25,6 +25,10 @@ struct Situation {
     bool hasPicks = false;  ///< of the selected object
     bool hasMeasured = false;
     bool hasAims = false;
+    bool anyPicks = false;  ///< of any object
+    bool pointsSelected = false;
+    bool partSelected = false;  ///< a separated object
+    bool cleaned = false;       ///< points of some layer are taken out
 };
 
 /// One thing the user can do, said once: menus, tool bars, tool tips and the documentation read it here.

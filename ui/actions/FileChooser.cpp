@@ -5,13 +5,10 @@
 
 #include "core/io/FormatRegistry.h"
 #include "ui/actions/FilePeekPanel.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
 namespace {
-
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
 
 /// "All scans (*.las ...);;LAS point cloud (*.las);;..." from the registry.
 QString readableFilter() {
@@ -24,44 +21,58 @@ QString readableFilter() {
             patterns << "*." + pattern << "*." + pattern.toUpper();
         }
         every << patterns;
-        const auto title = format->title();
-        filters << QString::fromUtf8(title.data(), static_cast<int>(title.size())) + " (" +
-                       patterns.join(' ') + ")";
+        filters << said(format->title()) + " (" + patterns.join(' ') + ")";
     }
-    return tr("All scans") + " (" + every.join(' ') + ");;" + filters.join(";;") + ";;" + tr("All files") +
-           " (*)";
+    return QObject::tr("All scans") + " (" + every.join(' ') + ");;" + filters.join(";;") + ";;" +
+           QObject::tr("All files") + " (*)";
 }
 
 }  // namespace
 
 QString FileChooser::caseToOpen(QWidget* window) {
-    return QFileDialog::getOpenFileName(window, tr("Open case"), {},
-                                        tr("Cases") + " (*.vestige *.json);;" + tr("All files") + " (*)");
+    return QFileDialog::getOpenFileName(
+        window, QObject::tr("Open case"), {},
+        QObject::tr("Cases") + " (*.vestige *.json);;" + QObject::tr("All files") + " (*)");
 }
 
 QStringList FileChooser::filesToAdd(QWidget* window) {
-    QFileDialog dialog(window, tr("Add clouds and meshes"), {}, readableFilter());
+    QFileDialog dialog(window, QObject::tr("Add clouds and meshes"), {}, readableFilter());
     dialog.setFileMode(QFileDialog::ExistingFiles);
     addPeekPanel(dialog);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles() : QStringList();
 }
 
 QString FileChooser::caseToSave(QWidget* window, const QString& suggestion) {
-    return QFileDialog::getSaveFileName(window, tr("Save case"), suggestion,
-                                        tr("Vestige case") + " (*.vestige);;JSON (*.json)");
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save case"), suggestion,
+                                        QObject::tr("Vestige case") + " (*.vestige);;JSON (*.json)");
 }
 
 QString FileChooser::csvToSave(QWidget* window, const QString& suggestion) {
-    return QFileDialog::getSaveFileName(window, tr("Export measurements"), suggestion, "CSV (*.csv)");
+    return QFileDialog::getSaveFileName(window, QObject::tr("Export as CSV"), suggestion, "CSV (*.csv)");
+}
+
+QString FileChooser::tableToOpen(QWidget* window, const QString& title) {
+    return QFileDialog::getOpenFileName(window, title, {},
+                                        QObject::tr("Tables") + " (*.csv *.txt *.tsv *.asc *.xyz *.pts);;" +
+                                            QObject::tr("All files") + " (*)");
+}
+
+QString FileChooser::sheetToSave(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save shortcut sheet"), suggestion,
+                                        "PDF (*.pdf);;HTML (*.html);;" + QObject::tr("Text") + " (*.txt)");
+}
+
+QString FileChooser::pictureToSave(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save picture"), suggestion, "PNG (*.png)");
 }
 
 QString FileChooser::folderForReport(QWidget* window, const QString& suggestion) {
-    return QFileDialog::getExistingDirectory(window, tr("Folder for the report"), suggestion);
+    return QFileDialog::getExistingDirectory(window, QObject::tr("Folder for the report"), suggestion);
 }
 
 FileChooser::Unsaved FileChooser::unsavedChanges(QWidget* window, const QString& title) {
     const auto answer = QMessageBox::question(
-        window, tr("Unsaved changes"), tr("Save the changes of \"%1\" first?").arg(title),
+        window, QObject::tr("Unsaved changes"), QObject::tr("Save the changes of \"%1\" first?").arg(title),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save) return Unsaved::save;
     return answer == QMessageBox::Discard ? Unsaved::discard : Unsaved::stay;

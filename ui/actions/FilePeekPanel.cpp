@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/base/Units.h"
 #include "core/report/Wording.h"
 #include "ui/document/Wording.h"
@@ -20,13 +21,9 @@ constexpr int kWidth = 300;
 constexpr std::size_t kMostSensors = 4;
 constexpr std::size_t kMostWarnings = 5;
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
 QString sizeText(qint64 bytes) {
     const double kilobytes = static_cast<double>(bytes) / 1000;
-    if (kilobytes < 1) return tr("%1 bytes").arg(bytes);
+    if (kilobytes < 1) return QObject::tr("%1 bytes").arg(bytes);
     if (kilobytes < 1000) return toQt(fixedText(kilobytes, 1)) + " kB";
     if (kilobytes < 1e6) return toQt(fixedText(kilobytes / 1e3, 1)) + " MB";
     return toQt(fixedText(kilobytes / 1e6, 2)) + " GB";
@@ -35,7 +32,7 @@ QString sizeText(qint64 bytes) {
 QString unitText(const FileInfo& info) {
     if (!info.metresPerUnit) return {};
     const auto unit = lengthUnitOf(*info.metresPerUnit);
-    return unit ? toQt(nameOf(*unit)) : toQt(exactText(*info.metresPerUnit)) + " m";
+    return unit ? said(nameOf(*unit)) : toQt(exactText(*info.metresPerUnit)) + " m";
 }
 
 QString extentText(const FileInfo& info) {
@@ -74,12 +71,21 @@ QString sensorText(const FileInfo& info) {
 
 QString memoryText(const LoadEstimate& estimate) {
     if (estimate.points == 0) return {};
-    QString text = toQt(estimate.sentence());
+    QString text = said(estimate.sentence());
     if (!estimate.fits() && !estimate.partsHelp)
-        text += ". " + tr("It does not fit, and this format is read whole; save it as LAS or LAZ elsewhere.");
+        text = QObject::tr("%1. %2").arg(
+            text,
+            QObject::tr("It does not fit, and this format is read whole; save it as LAS or LAZ elsewhere."));
     else if (!estimate.fits())
-        text += ". " + tr("It does not fit; one point in %1 would.").arg(estimate.keepEveryToFit);
+        text = QObject::tr("%1. %2").arg(
+            text, QObject::tr("It does not fit; one point in %1 would.").arg(estimate.keepEveryToFit));
     return text;
+}
+
+QString attributesText(const std::vector<std::string>& attributes) {
+    QStringList names;
+    for (const std::string& attribute : attributes) names << said(attribute);
+    return names.join(QObject::tr(", ", "between the items of a list"));
 }
 
 QString asTable(const std::vector<std::pair<QString, QString>>& rows) {
@@ -98,25 +104,26 @@ std::vector<std::pair<QString, QString>> peekRows(const FileInfo& info, const Lo
     const auto row = [&](const QString& label, const QString& value) {
         if (!value.isEmpty()) rows.emplace_back(label, value);
     };
-    row(tr("Format"), toQt(info.format + (info.version.empty() ? "" : " " + info.version)));
-    row(tr("Size"), sizeText(fileBytes));
-    row(tr("Points"), info.points > 0 ? toQt(grouped(info.points)) : tr("told once it is loaded"));
-    row(tr("Triangles"), info.triangles > 0 ? toQt(grouped(info.triangles)) : QString());
-    row(tr("Extent"), extentText(info));
+    row(QObject::tr("Format"), toQt(info.format + (info.version.empty() ? "" : " " + say(info.version))));
+    row(QObject::tr("Size"), sizeText(fileBytes));
+    row(QObject::tr("Points"),
+        info.points > 0 ? toQt(grouped(info.points)) : QObject::tr("told once it is loaded"));
+    row(QObject::tr("Triangles"), info.triangles > 0 ? toQt(grouped(info.triangles)) : QString());
+    row(QObject::tr("Extent"), extentText(info));
     if (!info.bounds.empty())
-        row(tr("Least corner"),
+        row(QObject::tr("Least corner"),
             coordinateText(info.bounds.min.x(), info.bounds.min.y(), info.bounds.min.z()));
-    row(tr("Reference"), referenceText(info.crs));
-    row(tr("Unit"), unitText(info));
-    row(tr("Sensor"), sensorText(info));
-    row(tr("Written by"), toQt(info.generatingSoftware));
-    row(tr("Scans"), info.scans.empty() ? QString() : QString::number(info.scans.size()));
-    row(tr("Images"), info.images.empty() ? QString() : QString::number(info.images.size()));
-    row(tr("Attributes"), toQt(listed(info.attributes)));
-    row(tr("Memory"), memoryText(estimate));
-    row(tr("Damage"), toQt(info.damage));
+    row(QObject::tr("Reference"), referenceText(info.crs));
+    row(QObject::tr("Unit"), unitText(info));
+    row(QObject::tr("Sensor"), sensorText(info));
+    row(QObject::tr("Written by"), toQt(info.generatingSoftware));
+    row(QObject::tr("Scans"), info.scans.empty() ? QString() : QString::number(info.scans.size()));
+    row(QObject::tr("Images"), info.images.empty() ? QString() : QString::number(info.images.size()));
+    row(QObject::tr("Attributes"), attributesText(info.attributes));
+    row(QObject::tr("Memory"), memoryText(estimate));
+    row(QObject::tr("Damage"), said(info.damage));
     for (std::size_t i = 0; i < std::min(info.warnings.size(), kMostWarnings); ++i)
-        row(tr("Warning"), toQt(info.warnings[i]));
+        row(QObject::tr("Warning"), said(info.warnings[i]));
     return rows;
 }
 
@@ -140,7 +147,8 @@ FilePeekPanel::FilePeekPanel(QWidget* parent)
 
 void FilePeekPanel::showFile(const QString& path) {
     text_->clear();
-    title_->setText(path.isEmpty() ? tr("Select a file to see what is in it.") : tr("Looking into it..."));
+    title_->setText(path.isEmpty() ? QObject::tr("Select a file to see what is in it.")
+                                   : QObject::tr("Looking into it..."));
     peek_->look(path);
 }
 
@@ -150,7 +158,7 @@ void FilePeekPanel::tell(const QString& path, const Result<FileInfo>& info) {
     if (info)
         text_->setText(asTable(peekRows(*info, estimateLoad(*info, {}), QFileInfo(path).size())));
     else
-        text_->setText(toQt(info.error().sentence()));
+        text_->setText(QString::fromStdString(say(info.error())));
 }
 
 FilePeekPanel* addPeekPanel(QFileDialog& dialog) {

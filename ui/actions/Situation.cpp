@@ -4,6 +4,7 @@
 #include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
+#include "ui/document/PointSelection.h"
 #include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/JobRunner.h"
@@ -11,7 +12,8 @@
 namespace vestige {
 
 Situation situationOf(const Document& document, const Selection& selection, const JobRunner& jobs,
-                      const Attempts& attempts, const Preview& preview, const Comparison& comparison) {
+                      const Attempts& attempts, const Preview& preview, const Comparison& comparison,
+                      const PointSelection* points) {
     const SceneState& scene = document.state();
     Situation now;
     now.busy = jobs.busy();
@@ -38,7 +40,14 @@ Situation situationOf(const Document& document, const Selection& selection, cons
     now.hasPicks = object && pickCount(*object, scene, selection.method()) > 0;
     for (const MeasuredLength& length : document.measured().lengths)
         now.hasMeasured |= length.length.has_value();
-    for (const Measurement& measurement : scene.measurements) now.hasAims |= !measurement.aims.empty();
+    for (const MeasuredKind& kind : document.measured().kinds) now.hasMeasured |= !kind.quantities.empty();
+    for (const Measurement& measurement : scene.measurements) {
+        now.hasAims |= !measurement.aims.empty();
+        now.anyPicks |= !measurement.picks.empty() || !measurement.paths.empty();
+    }
+    now.pointsSelected = points && points->size() > 0;
+    now.partSelected = points && !points->object().empty();
+    for (const Layer& layer : scene.layers) now.cleaned |= layer.cleaning != nullptr;
     return now;
 }
 

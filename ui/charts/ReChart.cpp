@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Translation.h"
+
 namespace vestige {
 namespace {
 
@@ -152,7 +154,7 @@ class Painter {
             if (fits)
                 painter_.drawText(QRectF(slot.left() - slot.width(), y(0) - metrics.height(),
                                          3 * slot.width(), metrics.height()),
-                                  Qt::AlignCenter, QStringLiteral("n/m"));
+                                  Qt::AlignCenter, QString::fromStdString(say("n/m")));
             return;
         }
         const bool excluded = category < series.excluded.size() && series.excluded[category];
@@ -196,7 +198,7 @@ class Painter {
             const auto& excluded = chart_.series[s].excluded;
             anyExcluded = anyExcluded || std::find(excluded.begin(), excluded.end(), true) != excluded.end();
         }
-        if (anyExcluded) entry(style_.muted, true, QStringLiteral("excluded (hollow)"));
+        if (anyExcluded) entry(style_.muted, true, QString::fromStdString(say("excluded (hollow)")));
         painter_.setPen(style_.muted);
         painter_.drawText(QRectF(area_.left(), area_.top(), plot_.left() - area_.left() - 0.4 * em, em),
                           Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(chart_.unit));

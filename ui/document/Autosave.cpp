@@ -1,11 +1,13 @@
 #include "ui/document/Autosave.h"
 
+#include <QElapsedTimer>
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <utility>
 
-#include "core/scene/CaseFile.h"
 #include "ui/document/Document.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
 namespace {
@@ -34,14 +36,21 @@ Autosave::Autosave(Document& document, std::filesystem::path root, QObject* pare
               this,
               // A call that waits for the window must not keep a case locked that was left.
               [this, session = std::weak_ptr(session), kept, last] {
-                  if (session.lock() == session_) tell(kept, last);
+                  const auto told = session.lock();
+                  if (told && told == session_) tell(kept, last);
+                  endSave();
               },
               Qt::QueuedConnection);
+      }),
+      saver_([this](const std::shared_ptr<CaseSession>&, const CaseSession::Kept&, std::uint64_t) {
+          QMetaObject::invokeMethod(
+              this, [this] { endSave(); }, Qt::QueuedConnection);
       }) {
     connect(&document_, &Document::replaced, this, [this] {
         auto left = std::exchange(
             session_, next_ ? std::exchange(next_, nullptr) : std::make_shared<CaseSession>(autosaves_));
         if (!std::exchange(keep_, false)) forget(std::move(left));
+        for (const auto& save : saves_) save->left = true;
         recovered_ = false;
         step_ = document_.step();
         notes_ = document_.notes();
@@ -55,7 +64,10 @@ Autosave::Autosave(Document& document, std::filesystem::path root, QObject* pare
 
 Autosave::~Autosave() {
     writer_.end(patience_ms_);
-    const quint64 safe = std::max<quint64>(writer_.kept(), settled_);
+    saver_.end(patience_ms_);
+    quint64 safe = std::max<quint64>(writer_.kept(), settled_);
+    for (const auto& save : saves_)
+        if (const auto status = save->status(); status && *status) safe = std::max<quint64>(safe, save->edit);
     if (ended_ || safe >= count_) return;
     std::cerr << "vestige: "
               << tr("the last changes (%1) are not stored: %2")
@@ -63,19 +75,6 @@ Autosave::~Autosave() {
                      .arg(problem_.isEmpty() ? tr("the disk does not answer") : problem_)
                      .toStdString()
               << '\n';
-}
-
-std::shared_ptr<CaseSession> Autosave::open(const std::filesystem::path& file) {
-    // The case that is open already is not taken from itself.
-    if (!session_->place().empty() && session_->place() == casePlace(file) && session_->readOnly().empty())
-        return session_;
-    return std::make_shared<CaseSession>(autosaves_, file);
-}
-
-Result<std::shared_ptr<CaseSession>> Autosave::takeOver(const Abandoned& abandoned) {
-    auto session = std::make_shared<CaseSession>(autosaves_);
-    if (const Status taken = session->takeOver(abandoned); !taken) return fail(taken.error());
-    return session;
 }
 
 void Autosave::follow(std::shared_ptr<CaseSession> session, bool keep) {
@@ -90,14 +89,15 @@ void Autosave::watch() {
         emit changed();
         return;
     }
-    const QString what = step == step_  ? tr("note what the file is")
-                         : step > step_ ? document_.undoText()
-                                        : tr("undo %1").arg(document_.redoText());
+    // The journal is in English, whatever language the window speaks.
+    const std::string what = step == step_  ? "note what the file is"
+                             : step > step_ ? document_.lastEdit()
+                                            : "undo " + document_.nextEdit();
     step_ = step;
     notes_ = notes;
     ++count_;
     if (state_ != State::failed) state_ = State::writing;
-    enqueue({{what.toStdString(), withoutData(document_.state())}});
+    enqueue({{what, withoutData(document_.state())}});
     emit changed();
 }
 
@@ -113,7 +113,7 @@ void Autosave::forget(std::shared_ptr<CaseSession> session) {
 }
 
 void Autosave::tell(const CaseSession::Kept& kept, quint64 last) {
-    const QString problem = QString::fromStdString(kept.problem);
+    const QString problem = said(kept.problem);
     const bool news = problem != problem_;
     problem_ = problem;
     const State before = state_;
@@ -137,45 +137,111 @@ void Autosave::tell(const CaseSession::Kept& kept, quint64 last) {
     emit changed();
 }
 
-Status Autosave::save(const std::filesystem::path& file) {
-    const auto place = casePlace(file);
-    const bool here = !session_->place().empty() && place == session_->place();
-    const std::filesystem::path folder = isCaseStore(place) ? place : place.parent_path();
-    std::error_code problem;
-    const bool made = std::filesystem::create_directories(folder, problem);
-    if (problem)
-        return fail(ErrorCode::output, "the folder cannot be made: " + problem.message(), folder.string());
-    auto session = here ? session_ : std::make_shared<CaseSession>(autosaves_, file);
-    // Edits that still wait belong before the save.
-    if (here && !writer_.flush(patience_ms_, session_))
-        return fail(ErrorCode::output, "the disk has not yet taken the changes that were made before",
-                    place.string(), "nothing was saved; try again later, or save under another name");
-    const Status saved =
-        document_.saveWith(file, [&](const SceneState& state) { return session->save(state); });
-    if (!saved) {
-        // Without its lock and what it began to write.
-        session.reset();
-        if (made && isCaseStore(place))
-            for (const char* name : {"case.db", "case.db-journal"})
-                std::filesystem::remove(place / name, problem);
-        if (made) std::filesystem::remove(folder, problem);  // if it is empty
-        return saved;
-    }
-    if (!here) forget(std::exchange(session_, session));
-    recovered_ = false;
-    settled_ = count_;
-    state_ = State::stored;
-    problem_.clear();
-    retry_.stop();
+void Autosave::saveAside(const std::filesystem::path& file, std::function<void(const Status&)> done) {
+    auto save = std::make_shared<SavingCase>(autosaves_, session_, file, document_.state());
+    save->step = document_.step();
+    save->notes = document_.notes();
+    save->edit = count_;
+    save->here = file == document_.state().file && !session_->place().empty();
+    save->done = std::move(done);
+    saves_.push_back(std::move(save));
+    if (saves_.size() == 1) beginSave();
     emit changed();
-    return saved;
+}
+
+/// The writer has them one after the other: edits that still wait belong before a save of their case, and
+/// later ones after it.
+void Autosave::beginSave() {
+    const auto& save = saves_.front();
+    if (save->here)
+        writer_.add({save->present(), {}, false, count_, [save] { save->saveHere(); }});
+    else
+        saver_.add({nullptr, {}, false, count_, [save] { save->saveElsewhere(); }});
+}
+
+/// Comes when one may be done.
+void Autosave::endSave() {
+    if (saves_.empty()) return;
+    const auto save = saves_.front();
+    const auto status = save->status();
+    if (!status) return;
+    if (save->isHere()) {  // under another name
+        save->here = true;
+        save->restart();
+        return beginSave();
+    }
+    saves_.pop_front();
+    if (*status && !save->left) takeSaved(*save);
+    if (save->done) save->done(*status);
+    if (!saves_.empty()) beginSave();
+    emit changed();
+}
+
+void Autosave::takeSaved(const SavingCase& saved) {
+    const bool here = saved.session() == session_;
+    if (!here) writer_.add({std::exchange(session_, saved.session()), {}, true, count_});
+    recovered_ = false;
+    settled_ = std::max<quint64>(settled_, saved.edit);
+    // What was done meanwhile went to the session before.
+    if (!here && saved.edit != count_)
+        enqueue({{document_.undoText().toStdString(), withoutData(document_.state())}});
+    if (saved.edit == count_) {
+        state_ = State::stored;
+        problem_.clear();
+        retry_.stop();
+    } else {
+        state_ = State::writing;
+    }
+    document_.markSaved(saved.file(), saved.step, saved.notes);
+}
+
+bool Autosave::giveUpSave(const std::shared_ptr<SavingCase>& save) {
+    if (!save->giveUp()) return false;
+    const bool first = saves_.front() == save;
+    std::erase(saves_, save);
+    if (first && !saves_.empty()) beginSave();
+    return true;
+}
+
+Status Autosave::save(const std::filesystem::path& file, const std::function<void()>& meanwhile) {
+    const auto result = std::make_shared<std::optional<Status>>();
+    saveAside(file, [result](const Status& status) { *result = status; });
+    const auto save = saves_.back();
+    QElapsedTimer clock;
+    clock.start();
+    while (!*result && clock.elapsed() < patience_ms_) {
+        saves_.front()->wait(std::chrono::milliseconds(20));
+        endSave();
+        if (meanwhile) meanwhile();
+    }
+    if (*result) return **result;
+    const bool begun = !giveUpSave(save);
+    emit changed();
+    return fail(ErrorCode::output,
+                begun ? "the disk has not yet taken the case"
+                      : "the disk has not yet taken the changes that were made before",
+                file.string(),
+                begun ? "it is saved when the disk answers"
+                      : "nothing was saved; try again later, or save under another name");
+}
+
+bool Autosave::awaitSaves(const std::function<void()>& meanwhile) {
+    QElapsedTimer clock;
+    clock.start();
+    while (saving() && clock.elapsed() < patience_ms_) {
+        saves_.front()->wait(std::chrono::milliseconds(20));
+        endSave();
+        if (meanwhile) meanwhile();
+    }
+    return !saving();
 }
 
 QString Autosave::readOnly() const {
-    return QString::fromStdString(session_->readOnly());
+    return said(session_->readOnly());
 }
 
 QString Autosave::text() const {
+    if (saving()) return tr("Saving…");
     switch (state_) {
         case State::writing:
             return tr("Autosaving…");
@@ -202,14 +268,19 @@ bool Autosave::canDiscardRecovered() const {
 }
 
 bool Autosave::flush(int milliseconds) {
-    return writer_.flush(milliseconds);
+    return writer_.flush(milliseconds) && saver_.flush(milliseconds);
 }
 
-void Autosave::end() {
+void Autosave::end(const std::function<void()>& meanwhile) {
     ended_ = true;
     retry_.stop();
     forget(session_);
-    if (writer_.flush(patience_ms_)) return;
+    QElapsedTimer clock;
+    clock.start();
+    do {
+        if (writer_.flush(std::min(20, patience_ms_)) && saver_.flush(std::min(20, patience_ms_))) return;
+        if (meanwhile) meanwhile();
+    } while (clock.elapsed() < patience_ms_);
     patience_ms_ = 0;  // it was waited for
     emit troubled(tr("The disk does not answer: changes that were not saved may be offered once more."));
 }

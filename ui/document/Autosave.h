@@ -2,12 +2,16 @@
 
 #include <QObject>
 #include <QTimer>
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/scene/store/CaseSession.h"
+#include "ui/document/CaseOpener.h"
 #include "ui/document/EditWriter.h"
+#include "ui/document/SavingCase.h"
 
 namespace vestige {
 
@@ -28,12 +32,9 @@ class Autosave : public QObject {
     /// The longest that the window waits, in `save` and at its end, for edits to be written; 10 s.
     void setPatience(int milliseconds) { patience_ms_ = milliseconds; }
 
-    /// Takes the case at `file` for this window. The session is to be handed to `follow` when the document
-    /// holds the case.
-    std::shared_ptr<CaseSession> open(const std::filesystem::path& file);
-    /// One for a case without a place, that takes over what was left behind. ErrorCode::input when that
-    /// cannot be read.
-    Result<std::shared_ptr<CaseSession>> takeOver(const Abandoned& abandoned);
+    /// Takes cases for this window, on any thread. A session it gives is to be handed to `follow` when the
+    /// document holds the case.
+    CaseOpener opener() const { return {autosaves_, session_}; }
     /// Before the document is replaced by the session's case. The user has agreed to leave the present one:
     /// its unsaved edits are forgotten. A replacement without this call begins a case without a place.
     /// With `keep` they stay where they are, and are offered the next time.
@@ -41,15 +42,21 @@ class Autosave : public QObject {
     /// Whether the session is that of the document.
     bool isOpen(const std::shared_ptr<CaseSession>& session) const { return session == session_; }
 
-    /// Saves the document to `file`, and from then on keeps its edits there. ErrorCode::output, and nothing
-    /// is changed, also when earlier edits of the case are not written in time. Waits for the disk to take
-    /// it.
-    Status save(const std::filesystem::path& file);
+    /// Saves the document as it is now to `file`, on a thread of its own, and from then on keeps its edits
+    /// there. Edits go on meanwhile; they are edits of the saved case. `done` hears of it on the GUI thread:
+    /// ErrorCode::output, and nothing is changed.
+    void saveAside(const std::filesystem::path& file, std::function<void(const Status&)> done);
+    /// The same, and waits for it, at most for the patience: earlier edits of the case may not be written
+    /// yet. `meanwhile` is called every 20 ms.
+    Status save(const std::filesystem::path& file, const std::function<void()>& meanwhile = {});
+    /// A save is not done yet.
+    bool saving() const { return !saves_.empty(); }
+    /// Waits for those that are not, as `save` does; false where the disk takes longer.
+    bool awaitSaves(const std::function<void()>& meanwhile = {});
+    /// Where the open case lies (casePlace); empty when it has no place.
+    const std::filesystem::path& place() const { return session_->place(); }
     /// Why the open case cannot be saved where it is; empty when it can.
     QString readOnly() const;
-
-    /// What windows that are gone left behind, of cases that are not open elsewhere.
-    std::vector<Abandoned> abandoned() const { return autosaves_.abandoned(); }
 
     enum class State { nothing, writing, stored, elsewhere, failed };
     State state() const { return state_; }
@@ -65,8 +72,8 @@ class Autosave : public QObject {
     /// Waits until everything is written or has failed; false after `milliseconds`.
     bool flush(int milliseconds);
     /// The user leaves the case for good: writes nothing more and forgets the unsaved edits. Where that takes
-    /// too long it is told, and they are offered once more.
-    void end();
+    /// too long it is told, and they are offered once more. `meanwhile` is called every 20 ms of waiting.
+    void end(const std::function<void()>& meanwhile = {});
 
   signals:
     void changed();
@@ -80,6 +87,10 @@ class Autosave : public QObject {
     void enqueue(std::vector<CaseEdit> edits);
     void forget(std::shared_ptr<CaseSession> session);
     void tell(const CaseSession::Kept& kept, quint64 last);
+    void beginSave();
+    void endSave();
+    void takeSaved(const SavingCase& saved);
+    bool giveUpSave(const std::shared_ptr<SavingCase>& save);
 
     Document& document_;
     Autosaves autosaves_;
@@ -97,7 +108,9 @@ class Autosave : public QObject {
     bool ended_ = false;
     bool recovered_ = false;  ///< the first step is the recovery
     int patience_ms_ = 10000;
+    std::deque<std::shared_ptr<SavingCase>> saves_;  ///< in order; the first is being written
     EditWriter writer_;
+    EditWriter saver_;  ///< saves to other places, which need not wait for that of the open case
 };
 
 }  // namespace vestige

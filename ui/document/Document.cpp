@@ -1,9 +1,22 @@
 #include "ui/document/Document.h"
 
+#include "core/base/Translation.h"
 #include "core/scene/CaseFile.h"
 #include "ui/document/Wording.h"
+#include "ui/watch/WatchedTime.h"
 
 namespace vestige {
+namespace {
+
+/// An edit of the history, in which what the case calls its things stays as it is.
+QString inWords(const std::string& edit, const SceneState& state) {
+    std::set<std::string, std::less<>> names;
+    for (const Layer& layer : state.layers) names.insert({layer.id, layer.name});
+    for (const Measurement& measurement : state.measurements) names.insert(measurement.object);
+    return toQt(Translator(language(), std::move(names))(edit));
+}
+
+}  // namespace
 
 Document::Document(QObject* parent) : QObject(parent) {
     watch();
@@ -16,7 +29,11 @@ void Document::watch() {
 }
 
 void Document::update() {
-    measured_ = measureScene(scene_.state());
+    {
+        const WatchedTime watched("measuring the scene");
+        measured_ = measureScene(scene_.state());
+    }
+    const WatchedTime watched("Document::changed");
     emit changed();
 }
 
@@ -42,12 +59,20 @@ void Document::redo() {
     scene_.redo();
 }
 
+void Document::travel(int steps) {
+    if (steps == 0) return;
+    ++open_;
+    for (; steps < 0 && canUndo(); ++steps) scene_.undo();
+    for (; steps > 0 && canRedo(); --steps) scene_.redo();
+    if (--open_ == 0) update();
+}
+
 QString Document::undoText() const {
-    return QString::fromStdString(scene_.undoText());
+    return inWords(scene_.undoText(), state());
 }
 
 QString Document::redoText() const {
-    return QString::fromStdString(scene_.redoText());
+    return inWords(scene_.redoText(), state());
 }
 
 QString Document::title() const {
@@ -59,14 +84,21 @@ QString Document::title() const {
 }
 
 Status Document::save(const std::filesystem::path& file) {
-    return saveWith(file, [&](const SceneState& scene) { return writeCase(file, scene); });
-}
-
-Status Document::saveWith(const std::filesystem::path& file,
-                          const std::function<Status(const SceneState&)>& write) {
-    if (Status written = write(state()); !written) return written;
+    if (Status written = writeCase(file, state()); !written) return written;
+    savedBefore_.reset();
     scene_.markSaved(file);
     return {};
+}
+
+void Document::markSaved(const std::filesystem::path& file, std::uint64_t step, std::uint64_t notes) {
+    const bool asNow = step == scene_.step() && notes == scene_.notes();
+    savedBefore_ = asNow ? std::nullopt : std::optional(std::pair(step, notes));
+    scene_.markSaved(file);
+}
+
+bool Document::modified() const {
+    if (savedBefore_) return savedBefore_ != std::pair(scene_.step(), scene_.notes());
+    return scene_.modified();
 }
 
 void Document::attachData(const std::string& layer, std::shared_ptr<const LayerData> data) {
@@ -80,6 +112,7 @@ void Document::replaceData(const std::shared_ptr<const LayerData>& before,
 
 void Document::replace(SceneState state) {
     scene_ = Scene(std::move(state));
+    savedBefore_.reset();
     watch();
     emit replaced();
     update();

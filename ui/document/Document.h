@@ -2,8 +2,9 @@
 
 #include <QObject>
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "core/base/Result.h"
 #include "core/scene/MeasuredScene.h"
@@ -31,16 +32,23 @@ class Document : public QObject {
     bool canRedo() const { return scene_.canRedo(); }
     void undo();
     void redo();
+    /// Takes that many steps back (negative) or does them again, as far as there are any; `changed` comes
+    /// once.
+    void travel(int steps);
+    /// In the language of the window.
     QString undoText() const;
     QString redoText() const;
+    /// What undo would take back, and redo do again, as the history and the journal have it: in English.
+    std::string lastEdit() const { return scene_.undoText(); }
+    std::string nextEdit() const { return scene_.redoText(); }
 
-    bool modified() const { return scene_.modified(); }
+    bool modified() const;
     /// The case's name, else the file's, else "Untitled case".
     QString title() const;
     /// Writes the case and notes `file` as its place.
     Status save(const std::filesystem::path& file);
-    /// The same with another way to write it.
-    Status saveWith(const std::filesystem::path& file, const std::function<Status(const SceneState&)>& write);
+    /// It was saved as it was after `step`, with `notes`; there may have been other edits meanwhile.
+    void markSaved(const std::filesystem::path& file, std::uint64_t step, std::uint64_t notes);
     /// Of the history; see Scene.
     std::uint64_t step() const { return scene_.step(); }
     std::uint64_t notes() const { return scene_.notes(); }
@@ -62,7 +70,9 @@ class Document : public QObject {
 
     Scene scene_;
     MeasuredScene measured_;
-    int open_ = 0;  ///< nested begin()
+    std::optional<std::pair<std::uint64_t, std::uint64_t>>
+        savedBefore_;  ///< step and notes, not the last ones
+    int open_ = 0;     ///< nested begin()
 };
 
 }  // namespace vestige

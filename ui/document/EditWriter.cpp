@@ -93,8 +93,11 @@ void EditWriter::work(const std::shared_ptr<Shared>& shared) {
             shared->waiting.pop_front();
             shared->busy = next.session.get();
             // What came in while the last was written goes in one step.
-            while (!next.discard && !shared->waiting.empty() && !shared->waiting.front().discard &&
-                   shared->waiting.front().session == next.session) {
+            const auto joins = [&](const Task& more) {
+                return !more.discard && !more.work && more.session == next.session;
+            };
+            while (!next.discard && !next.work && !shared->waiting.empty() &&
+                   joins(shared->waiting.front())) {
                 auto& more = shared->waiting.front();
                 next.edits.insert(next.edits.end(), std::make_move_iterator(more.edits.begin()),
                                   std::make_move_iterator(more.edits.end()));
@@ -104,6 +107,12 @@ void EditWriter::work(const std::shared_ptr<Shared>& shared) {
         }
         if (next.discard) {
             next.session->discard();
+            continue;
+        }
+        if (next.work) {
+            next.work();
+            const std::scoped_lock lock(shared->mutex);
+            if (shared->tell) shared->tell(nullptr, {}, 0);
             continue;
         }
         const auto kept = next.session->append(std::move(next.edits));

@@ -19,8 +19,10 @@ class EditWriter {
         std::vector<CaseEdit> edits;
         bool discard = false;    ///< instead of writing: the session's unsaved edits are forgotten
         std::uint64_t last = 0;  ///< number of the last edit that was made
+        std::function<void()> work = nullptr;  ///< instead of writing: done in its turn
     };
-    /// What became of the edits up to `last`. Called on the writer's thread, never after `end`.
+    /// What became of the edits up to `last`; after a task's `work`, without a session. Called on the
+    /// writer's thread, never after `end`.
     using Tell = std::function<void(const std::shared_ptr<CaseSession>& session,
                                     const CaseSession::Kept& kept, std::uint64_t last)>;
 

@@ -61,9 +61,11 @@ void Evidence::forgetOldData() {
     bool forgot = false;
     for (const Layer& layer : document_.state().layers) {
         if (!layer.data) continue;
+        // Cleaning makes other data of the same reading.
+        const auto read = layer.data->uncleaned ? layer.data->uncleaned : layer.data;
         auto& known = known_[layer.id];
-        if (known.lock() == layer.data) continue;
-        known = layer.data;
+        if (known.lock() == read) continue;
+        known = read;
         forgot = verified_.erase(layer.id) > 0 || forgot;
     }
     if (forgot) emit changed();

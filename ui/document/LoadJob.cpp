@@ -4,9 +4,56 @@
 #include <iterator>
 #include <utility>
 
+#include "core/scene/CaseFile.h"
+#include "core/scene/SameData.h"
 #include "ui/document/LayerDefaults.h"
 
 namespace vestige {
+
+Result<OpenedCase> openCase(const std::optional<CaseOpener>& opener, const std::filesystem::path& file) {
+    OpenedCase opened;
+    if (opener) opened.session = opener->open(file);
+    auto saved =
+        readCase(file, &opened.remarks, opened.session ? UnsavedEdits::passedOver : UnsavedEdits::told);
+    if (!saved) return fail(saved.error());
+    opened.saved = std::move(*saved);
+    opened.saved.file = file;
+    if (opened.session) opened.unsaved = opened.session->takeRecovered();
+    return opened;
+}
+
+Result<OpenedCase> openAbandoned(const std::optional<CaseOpener>& opener, const Abandoned& abandoned) {
+    const std::filesystem::path file = abandoned.content.caseFile;
+    std::error_code unknown;
+    OpenedCase opened;
+    if (!file.empty() && std::filesystem::exists(file, unknown)) {
+        const auto saved = readCase(file, nullptr, UnsavedEdits::passedOver);
+        if (saved) return openCase(opener, file);
+        opened.unreadable = saved.error();
+    }
+    if (!opener) return fail(opened.unreadable.value_or(cancelledError()));
+    auto session = opener->takeOver(abandoned);
+    if (!session) return fail(session.error());
+    opened.session = std::move(*session);
+    opened.unsaved = opened.session->takeRecovered();
+    return opened;
+}
+
+Loaded layersToRead(OpenedCase opened) {
+    tintApart(opened.saved.layers);
+    Loaded request;
+    request.remarks = opened.remarks;
+    request.layers = opened.saved.layers;
+    request.scene = opened.saved;
+    // Undoing the recovery leads back to the saved case, so both need their files.
+    if (opened.unsaved)
+        for (const Layer& layer : opened.unsaved->state.layers)
+            if (std::none_of(request.layers.begin(), request.layers.end(),
+                             [&](const Layer& other) { return readsTheSame(other, layer); }))
+                request.layers.push_back(layer);
+    request.opened = std::make_shared<const OpenedCase>(std::move(opened));
+    return request;
+}
 
 bool lookAt(const SceneState& scene, std::vector<Layer>& layers, const JobControl& control) {
     bool any = false;
@@ -15,9 +62,9 @@ bool lookAt(const SceneState& scene, std::vector<Layer>& layers, const JobContro
         const auto file = scene.resolve(layer.path);
         const ReadOptions options = readOptionsOf(layer);
         // What goes wrong here goes wrong when the whole is read, and is told then.
-        const auto check = checkLoad(file, options);
+        const auto check = checkLoad(file, options, LoadedFor::scene, control);
         if (!check || !check->estimate.fits()) continue;
-        const auto preview = previewLayerData(file, *check, options, {});
+        const auto preview = previewLayerData(file, *check, options, control);
         if (!preview || !*preview) continue;
         layer.data = *preview;
         any = true;
@@ -68,13 +115,13 @@ Result<Loaded> readFiles(Loaded request, const ShowProgress& show, const JobCont
         request.layers.erase(first, request.layers.end());
         nameLayers(shown.layers, request.scene);
         const auto remarks = recogniseUnits(shown.layers, request.scene);
-        show({shown.layers, remarks, {}});
+        show({nullptr, shown.layers, remarks, {}});
         request.scene.layers.insert(request.scene.layers.end(), shown.layers.begin(), shown.layers.end());
         if (request.scene.target.empty()) request.scene.target = shown.layers.front().id;
         const Status read = readAll(
             shown,
             [&](const Arrival& arrival) {
-                show({{}, {}, {arrival}});
+                show({nullptr, {}, {}, {arrival}});
             },
             control.sub(0, 0.9));
         if (!read) return fail(read.error());
@@ -94,11 +141,11 @@ Result<Loaded> readFiles(Loaded request, const ShowProgress& show, const JobCont
 
 Result<Loaded> readCaseLayers(Loaded request, const ShowProgress& show, const JobControl& control) {
     const bool early = lookAt(request.scene, request.layers, control);
-    if (early) show({request.layers, {}, {}});
+    if (early) show({request.opened, request.layers, {}, {}});
     const Status read = readAll(
         request,
         [&](const Arrival& arrival) {
-            if (early) show({{}, {}, {arrival}});
+            if (early) show({nullptr, {}, {}, {arrival}});
         },
         control);
     if (!read) return fail(read.error());

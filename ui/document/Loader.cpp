@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/CaseFile.h"
 #include "core/scene/Edits.h"
 #include "core/scene/FileEvidence.h"
 #include "core/scene/SameData.h"
@@ -61,100 +60,94 @@ Loader::Loader(Document& document, JobRunner& jobs, Notices& notices, QObject* p
     connect(&document_, &Document::changed, this, [this] { place(); });
 }
 
+std::optional<CaseOpener> Loader::opener() const {
+    return autosave_ ? std::optional(autosave_->opener()) : std::nullopt;
+}
+
 Status Loader::openCase(const std::filesystem::path& file) {
-    std::shared_ptr<CaseSession> session = autosave_ ? autosave_->open(file) : nullptr;
-    std::vector<std::string> remarks;
-    auto scene = readCase(file, &remarks, session ? UnsavedEdits::passedOver : UnsavedEdits::told);
-    if (!scene) return fail(scene.error());
-    scene->file = file;
-    return load(std::move(session), std::move(*scene), remarks);
+    return load(tr("Opening %1").arg(toQt(file.filename())),
+                [opener = opener(), file] { return vestige::openCase(opener, file); });
 }
 
-Status Loader::recover(const Abandoned& abandoned) {
-    const std::filesystem::path file = abandoned.content.caseFile;
-    std::error_code unknown;
-    std::optional<Error> unreadable;
-    if (!file.empty() && std::filesystem::exists(file, unknown)) {
-        const auto saved = readCase(file, nullptr, UnsavedEdits::passedOver);
-        if (saved) return openCase(file);
-        unreadable = saved.error();
-    }
-    if (!autosave_) return unreadable ? Status(fail(*unreadable)) : Status();
-    auto session = autosave_->takeOver(abandoned);
-    if (!session) {
-        notices_.failed(session.error());
-        return fail(session.error());
-    }
-    const Status loaded = load(*session, SceneState(), {});
-    if (unreadable) {
-        if (!unreadable->hint.empty()) unreadable->hint += "; ";
-        unreadable->hint += "its changes are recovered as a case without a place";
-        notices_.failed(*unreadable);
-    }
-    return loaded;
+void Loader::recover(const Abandoned& abandoned, std::function<void(bool)> done) {
+    static_cast<void>(load(
+        tr("Recovering a case"), [opener = opener(), abandoned] { return openAbandoned(opener, abandoned); },
+        std::move(done)));
 }
 
-Status Loader::load(std::shared_ptr<CaseSession> session, SceneState saved,
-                    const std::vector<std::string>& remarks) {
+void Loader::findAbandoned(std::function<void(std::vector<Abandoned>)> found) {
+    if (!autosave_) return;
+    using All = std::vector<Abandoned>;
+    jobs_.run<All>(
+        tr("Looking for changes that were not saved"),
+        [opener = autosave_->opener()](const JobControl&) -> Result<All> { return opener.abandoned(); },
+        [found = std::move(found)](Result<All> all) {
+            if (all) found(std::move(*all));
+        });
+}
+
+Status Loader::load(const QString& title, std::function<Result<OpenedCase>()> open,
+                    std::function<void(bool)> ended) {
     problems_.clear();
-    tintApart(saved.layers);
-    std::optional<Recovered> unsaved;
-    if (session) unsaved = session->takeRecovered();
-    Loaded request;
-    request.remarks = remarks;
-    request.layers = saved.layers;
-    request.scene = saved;
-    // Undoing the recovery leads back to the saved case, so both need their files.
-    if (unsaved)
-        for (const Layer& layer : unsaved->state.layers)
-            if (std::none_of(request.layers.begin(), request.layers.end(),
-                             [&](const Layer& other) { return readsTheSame(other, layer); }))
-                request.layers.push_back(layer);
-    const std::filesystem::path file = saved.file;
-    const QString title =
-        file.empty() ? tr("Recovering a case") : tr("Opening %1").arg(toQt(file.filename()));
     const auto shown = std::make_shared<int>(-1);  // the document's number once the case is in it
-    const auto replace = [this, session, saved = std::move(saved), unsaved, shown, asked = replacements_,
-                          step = document_.step()](const std::vector<Layer>& read) {
+    const auto replace = [this, shown, asked = replacements_, step = document_.step()](
+                             const OpenedCase& opened, const std::vector<Layer>& read) {
         // The user has agreed to leave the case as it was then.
         const bool edited = document_.step() != (asked == replacements_ ? step : 0);
-        open(session, saved, unsaved, read, edited);
+        put(opened, read, edited);
         *shown = replacements_;
     };
     jobs_.runInParts<Loaded, Progress>(
         title,
-        [request](const JobControl& control, const ShowProgress& show) {
-            return readCaseLayers(request, show, control);
+        [open = std::move(open)](const JobControl& control, const ShowProgress& show) -> Result<Loaded> {
+            auto opened = open();
+            if (!opened) return fail(opened.error());
+            if (control.cancelled()) return fail(cancelledError());
+            return readCaseLayers(layersToRead(std::move(*opened)), show, control);
         },
         [this, replace, shown](Progress progress) {
             if (*shown < 0) {
-                replace(progress.layers);
+                replace(*progress.opened, progress.layers);
                 for (const Layer& layer : progress.layers)
                     if (layer.data) previews_.push_back(layer.data);
             }
             if (*shown == replacements_) take(progress.arrivals);
         },
-        [this, file, replace, shown](Result<Loaded> loaded) {
+        [this, replace, shown, ended = std::move(ended)](Result<Loaded> loaded) {
             if (*shown >= 0 && *shown != replacements_) return;
             dropPreviews();
-            if (!loaded && *shown < 0) return tell(loaded.error());
-            if (*shown < 0) replace(loaded->layers);
-            if (loaded) remark(loaded->remarks);
+            if (!loaded && *shown < 0) {
+                tell(loaded.error());
+                if (ended) ended(false);
+                return;
+            }
+            if (*shown < 0) replace(*loaded->opened, loaded->layers);
             if (loaded) {
+                remark(loaded->remarks);
                 tell(*loaded, false);
+                if (loaded->opened->unreadable) tellUnreadable(*loaded->opened->unreadable);
             } else {
                 tellDifferences();
                 tellStopped(loaded.error());
             }
-            if (!file.empty()) emit opened(toQt(file));
+            if (const auto& file = document_.state().file; !file.empty()) emit this->opened(toQt(file));
+            if (ended) ended(true);
         });
     return firstOf(problems_);
 }
 
+void Loader::tellUnreadable(Error error) {
+    if (!error.hint.empty()) error.hint += "; ";
+    error.hint += "its changes are recovered as a case without a place";
+    notices_.failed(error);
+}
+
 /// Puts the case in the document's place with the data that were read, and what was not saved on top of it.
-void Loader::open(const std::shared_ptr<CaseSession>& session, SceneState saved,
-                  std::optional<Recovered> unsaved, const std::vector<Layer>& read, bool edited) {
-    const QString opened = saved.file.empty() ? tr("another") : toQt(saved.file.filename());
+void Loader::put(const OpenedCase& opened, const std::vector<Layer>& read, bool edited) {
+    const std::shared_ptr<CaseSession>& session = opened.session;
+    SceneState saved = opened.saved;
+    std::optional<Recovered> unsaved = opened.unsaved;
+    const QString name = saved.file.empty() ? tr("another") : toQt(saved.file.filename());
     const bool again = autosave_ && session && autosave_->isOpen(session);
     if (edited && again) unsaved = Recovered{document_.state(), {}};
     const auto giveData = [&](SceneState& scene) {
@@ -170,15 +163,15 @@ void Loader::open(const std::shared_ptr<CaseSession>& session, SceneState saved,
     document_.replace(std::move(saved));
     const bool restored =
         unsaved && document_.perform(restoreState(std::move(unsaved->state), "recover unsaved changes"));
-    if (restored && !unsaved->sentence.empty()) emit recovered(QString::fromStdString(unsaved->sentence));
+    if (restored && !unsaved->sentence.empty()) emit recovered(said(unsaved->sentence));
     if (edited && autosave_)
         notices_.warn(again
                           ? tr("%1 was changed while it was opened again. These changes are in place, as one "
                                "step that Undo takes back.")
-                                .arg(opened)
+                                .arg(name)
                           : tr("The case before was changed while %1 was read. These changes are kept and "
                                "offered the next time.")
-                                .arg(opened));
+                                .arg(name));
 }
 
 /// Of files that are not what became part of the case.
@@ -268,7 +261,7 @@ void Loader::enter(const std::vector<Layer>& layers) {
     if (layers.empty()) return;
     QStringList names;
     for (const Layer& layer : layers) names << QString::fromStdString(layer.name);
-    document_.begin(tr("add %1").arg(names.join(", ")));
+    document_.begin("add " + names.join(", "));
     for (Layer layer : layers) {
         noteEvidence(layer);
         document_.perform(addLayer(std::move(layer)));
@@ -310,7 +303,7 @@ void Loader::dropPreviews() {
 
 void Loader::remark(const std::vector<std::string>& remarks) {
     QStringList sentences;
-    for (const std::string& sentence : remarks) sentences << QString::fromStdString(sentence);
+    for (const std::string& sentence : remarks) sentences << said(sentence);
     if (!sentences.isEmpty()) notices_.inform(sentences.join("\n"));
 }
 
@@ -336,16 +329,16 @@ void Loader::tell(const Loaded& loaded, bool added) {
     std::vector<Notices::Offer> offers;
     if (!added)
         for (const Layer& layer : document_.state().layers)
-            if (const auto difference = evidenceDifference(layer))
-                sentences << QString::fromStdString(*difference) + ".";
+            if (const auto difference = evidenceDifference(layer)) sentences << saidSentence(*difference);
     for (const auto& [file, problem] : loaded.unread) {
         problems_.push_back(problem);
-        sentences << QString::fromStdString(problem.sentence()) + ".";
+        sentences << saidSentence(problem);
         if (!problem.salvageable) continue;
         const QString text = loaded.unread.size() == 1
                                  ? tr("Load what is whole")
                                  : tr("Load what is whole of %1").arg(toQt(file.filename()));
-        offers.push_back({text, [this, file = file, added, asked = replacements_] {
+        offers.push_back({text,
+                          [this, file = file, added, asked = replacements_] {
                               if (asked != replacements_) return;
                               const auto& layers = document_.state().layers;
                               const bool there = std::any_of(
@@ -355,17 +348,19 @@ void Loader::tell(const Loaded& loaded, bool added) {
                                   static_cast<void>(addFiles({file}, true));
                               else
                                   salvage(file);
-                          }});
+                          },
+                          toQt(file)});
+    }
+    for (const TooLarge& large : loaded.tooLarge) {
+        problems_.push_back(tooLarge(large.layer.path, large.check.estimate, {}));
+        sentences << sentenceOn(large);
+        addOffers(large, loaded.tooLarge.size() + loaded.unread.size() > 1, offers);
     }
     // One notice for all: another would take the place of the first.
     if (!offers.empty())
         notices_.offer(sentences.join("\n"), offers);
     else if (!sentences.isEmpty())
         notices_.warn(sentences.join("\n"));
-    for (const TooLarge& large : loaded.tooLarge) {
-        problems_.push_back(tooLarge(large.layer.path, large.check.estimate, {}));
-        offer(large);
-    }
 }
 
 void Loader::salvage(const std::filesystem::path& file) {
@@ -379,7 +374,16 @@ void Loader::salvage(const std::filesystem::path& file) {
     }
 }
 
-void Loader::offer(const TooLarge& large) {
+QString Loader::sentenceOn(const TooLarge& large) {
+    if (!large.check.estimate.partsHelp)
+        return saidSentence(
+            tooLarge(large.layer.path, large.check.estimate, commandLineOffer(large.check.estimate)));
+    return tr("%1: %2. It was not read.")
+        .arg(toQt(large.layer.path.filename()), said(large.check.estimate.sentence()));
+}
+
+void Loader::addOffers(const TooLarge& large, bool oneOfMany, std::vector<Notices::Offer>& offers) {
+    if (!large.check.estimate.partsHelp) return;
     // An added file has no layer yet, or one that shows nothing; a layer of the case remembers the part.
     const auto load = [this, asked = replacements_](Layer part) {
         if (asked != replacements_) return;
@@ -393,24 +397,21 @@ void Loader::offer(const TooLarge& large) {
         document_.perform(changeLayer(changed, "load a part of " + changed.name));
         readAgain(changed);
     };
-    if (!large.check.estimate.partsHelp)
-        return notices_.failed(
-            tooLarge(large.layer.path, large.check.estimate, commandLineOffer(large.check.estimate)));
+    const QString of = oneOfMany ? tr(" of %1").arg(toQt(large.layer.path.filename())) : QString();
+    const QString group = toQt(large.layer.path);
     const std::uint32_t every = large.check.estimate.keepEveryToFit;
     Layer thinned = large.layer;
     thinned.keepEvery = every;
     thinned.data = nullptr;
-    std::vector<Notices::Offer> offers{
-        {tr("Load every %1 point").arg(ordinalText(every)), [load, thinned] { load(thinned); }}};
+    offers.push_back(
+        {tr("Load every %1 point").arg(ordinalText(every)) + of, [load, thinned] { load(thinned); }, group});
     if (const auto box = coveredByOthers(document_.state(), large)) {
         Layer part = large.layer;
         part.box = box;
         part.data = nullptr;
-        offers.push_back({tr("Load only where the other layers are"), [load, part] { load(part); }});
+        offers.push_back(
+            {tr("Load only where the other layers are") + of, [load, part] { load(part); }, group});
     }
-    notices_.offer(toQt(large.layer.path.filename()) + ": " + toQt(large.check.estimate.sentence()) +
-                       tr(". It was not read."),
-                   offers);
 }
 
 }  // namespace vestige

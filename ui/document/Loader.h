@@ -2,21 +2,24 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/Result.h"
 #include "core/scene/Scene.h"
-#include "core/scene/store/CaseSession.h"
+#include "ui/document/CaseOpener.h"
+#include "ui/document/Notices.h"
 
 namespace vestige {
 
 class Autosave;
 class Document;
 class JobRunner;
-class Notices;
 struct Arrival;
 struct Loaded;
+struct OpenedCase;
 struct Progress;
 struct TooLarge;
 
@@ -30,12 +33,14 @@ class Loader : public QObject {
     Loader(Document& document, JobRunner& jobs, Notices& notices, QObject* parent = nullptr);
 
     /// Replaces the document by the case in `file`. A layer that cannot be read stays in the case without
-    /// data and is told; the error of an unreadable case is returned at once. With an inline runner
-    /// everything is loaded on return and the first error of a layer is returned, too.
+    /// data and is told, as what keeps the case from being opened. With an inline runner everything is loaded
+    /// on return and the first error is returned, too.
     Status openCase(const std::filesystem::path& file);
     /// Opens what a window left behind that is gone: the case it belongs to, else (it is gone, or cannot be
-    /// read) a case without a place. What fails is told.
-    Status recover(const Abandoned& abandoned);
+    /// read) a case without a place. What fails is told; `done` hears whether a case was opened.
+    void recover(const Abandoned& abandoned, std::function<void(bool)> done = {});
+    /// What windows that are gone left behind; nothing without an autosave.
+    void findAbandoned(std::function<void(std::vector<Abandoned>)> found);
     /// Cases are then taken for this window, and edits that were not saved come back as a step that can be
     /// undone.
     void setAutosave(Autosave* autosave) { autosave_ = autosave; }
@@ -51,10 +56,11 @@ class Loader : public QObject {
     void recovered(const QString& sentence);
 
   private:
-    Status load(std::shared_ptr<CaseSession> session, SceneState saved,
-                const std::vector<std::string>& remarks);
-    void open(const std::shared_ptr<CaseSession>& session, SceneState saved, std::optional<Recovered> unsaved,
-              const std::vector<Layer>& read, bool edited);
+    std::optional<CaseOpener> opener() const;
+    Status load(const QString& title, std::function<Result<OpenedCase>()> open,
+                std::function<void(bool)> ended = {});
+    void put(const OpenedCase& opened, const std::vector<Layer>& read, bool edited);
+    void tellUnreadable(Error error);
     void tellDifferences();
     void add(std::vector<Layer> layers);
     void readAgain(const Layer& layer);
@@ -69,7 +75,9 @@ class Loader : public QObject {
     void tell(const Loaded& loaded, bool added);
     /// Layers of the case that were not read because their file is damaged: with what is whole, from now on.
     void salvage(const std::filesystem::path& file);
-    void offer(const TooLarge& tooLarge);
+    static QString sentenceOn(const TooLarge& large);
+    /// What can be loaded of it; `oneOfMany`: the offers name the file.
+    void addOffers(const TooLarge& large, bool oneOfMany, std::vector<Notices::Offer>& offers);
 
     Document& document_;
     JobRunner& jobs_;

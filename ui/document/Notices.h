@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/Error.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
 
@@ -18,6 +19,7 @@ class Notices : public QObject {
     struct Offer {
         QString text;
         std::function<void()> take;
+        QString group = {};  ///< taking one settles those of its group; the others stay
     };
 
     using QObject::QObject;
@@ -26,7 +28,7 @@ class Notices : public QObject {
     void informOf(const QString& sentence, const QString& path) { emit informedOf(sentence, path); }
     /// Stays until it is closed.
     void warn(const QString& sentence) { emit warned(sentence); }
-    /// A sentence with buttons; it stays until one is pressed or it is closed.
+    /// A sentence with buttons; it stays until one of each group was pressed or it is closed.
     void offer(const QString& sentence, const std::vector<Offer>& offers) { emit offered(sentence, offers); }
     /// What they were made of is not open any more.
     void withdrawOffers() { emit withdrawn(); }
@@ -35,7 +37,7 @@ class Notices : public QObject {
         if (error.code == ErrorCode::cancelled)
             emit informed(tr("Cancelled; nothing was changed."));
         else
-            emit warned(QString::fromStdString(error.sentence()) + ".");
+            emit warned(saidSentence(error));
     }
 
   signals:

@@ -1,9 +1,11 @@
 #include "ui/document/Wording.h"
 
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/Numbers.h"
+#include "core/base/Translation.h"
 #include "core/measurement/MeasuredText.h"
 
 namespace vestige {
@@ -32,6 +34,18 @@ QString grouped(double value, int decimals) {
 
 QString toQt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+QString said(std::string_view english) {
+    return QString::fromStdString(say(english));
+}
+
+QString saidSentence(std::string_view english) {
+    return QObject::tr("%1.", "a sentence that core says").arg(said(english));
+}
+
+QString saidSentence(const Error& error) {
+    return QObject::tr("%1.", "a sentence that core says").arg(QString::fromStdString(say(error)));
 }
 
 QString toQt(const std::filesystem::path& path) {
@@ -69,18 +83,24 @@ QString distanceText(double metres) {
 }
 
 QString countText(std::uint64_t count) {
-    if (count >= 1'000'000) return number(static_cast<double>(count) / 1e6, 1) + " M";
-    if (count >= 10'000) return number(static_cast<double>(count) / 1e3, 1) + " k";
+    if (language() == Language::simplifiedChinese) {  // counts by ten thousands and their squares
+        if (count >= 100000000) return number(static_cast<double>(count) / 1e8, 2) + QStringLiteral(" 亿");
+        if (count >= 10000) return number(static_cast<double>(count) / 1e4, 1) + QStringLiteral(" 万");
+        return QString::number(count);
+    }
+    if (count >= 1000000) return number(static_cast<double>(count) / 1e6, 1) + " M";
+    if (count >= 10000) return number(static_cast<double>(count) / 1e3, 1) + " k";
     return QString::number(count);
 }
 
 QString coordinateText(double x, double y, double z) {
-    const bool survey = std::max(std::abs(x), std::abs(y)) >= 10'000;
+    const bool survey = std::max(std::abs(x), std::abs(y)) >= 10000;
     return QString(survey ? "E %1   N %2   H %3 m" : "x %1   y %2   z %3 m")
         .arg(grouped(x, 3), grouped(y, 3), grouped(z, 3));
 }
 
 QString ordinalText(std::uint64_t place) {
+    if (language() != Language::english) return QString::number(place);
     const bool teen = place % 100 / 10 == 1;
     const char* ending = teen              ? "th"
                          : place % 10 == 1 ? "st"

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/Error.h"
+
 namespace vestige {
 
 /// How numbers and names are written in the window; numbers always with '.', a minus sign for negative ones.
@@ -16,6 +18,11 @@ inline QString toQt(const std::string& text) {
     return QString::fromStdString(text);
 }
 QString toQt(const std::filesystem::path& path);
+/// What core says (a message, a reason, a note, an edit's text), in the language of the window.
+QString said(std::string_view english);
+/// The same as a sentence of its own, with its full stop.
+QString saidSentence(std::string_view english);
+QString saidSentence(const Error& error);
 std::filesystem::path toPath(const QString& path);
 
 /// "4.786": metres with three decimals, four below 0.1 m; an en dash for nothing.

@@ -7,6 +7,7 @@
 #include <QStyle>
 
 #include "core/base/Numbers.h"
+#include "ui/document/Wording.h"
 
 namespace vestige {
 namespace {
@@ -32,8 +33,10 @@ ParameterEditor::ParameterEditor(const ParameterSpec& spec, QWidget* parent) : Q
         row->addStretch();
     } else if (spec.type == ParameterType::choice) {
         choice_ = new QComboBox;
-        for (const auto& choice : spec.choices) choice_->addItem(QString::fromStdString(choice));
-        connect(choice_, &QComboBox::textActivated, this, &ParameterEditor::edited);
+        for (const auto& choice : spec.choices)
+            choice_->addItem(said(choice), QString::fromStdString(choice));
+        connect(choice_, QOverload<int>::of(&QComboBox::activated), this,
+                [this](int index) { emit edited(choice_->itemData(index).toString()); });
         row->addWidget(choice_, 1);
     } else {
         field_ = new QLineEdit;
@@ -52,7 +55,9 @@ ParameterEditor::ParameterEditor(const ParameterSpec& spec, QWidget* parent) : Q
     }
     QWidget* editor = layout()->itemAt(0)->widget();
     editor->setObjectName(QString::fromStdString(spec.key));
-    setToolTip(QString::fromStdString(spec.help));
+    editor->setAccessibleName(said(spec.label));
+    editor->setAccessibleDescription(said(spec.help));
+    setToolTip(said(spec.help));
     setFocusProxy(editor);
 }
 
@@ -61,7 +66,7 @@ void ParameterEditor::setValue(const ParameterValue& value) {
         const bool* on = std::get_if<bool>(&value);
         check_->setChecked(on && *on);
     } else if (choice_) {
-        choice_->setCurrentText(valueText(value));
+        choice_->setCurrentIndex(choice_->findData(valueText(value)));
     } else if (!field_->hasFocus() || !field_->isModified()) {
         field_->setText(valueText(value));
     }
@@ -69,7 +74,7 @@ void ParameterEditor::setValue(const ParameterValue& value) {
 }
 
 void ParameterEditor::setProblem(const QString& sentence) {
-    setToolTip(sentence.isEmpty() ? QString::fromStdString(spec_.help) : sentence);
+    setToolTip(sentence.isEmpty() ? said(spec_.help) : sentence);
     QWidget* editor = focusProxy();
     editor->setProperty("problem", !sentence.isEmpty());
     editor->style()->unpolish(editor);

@@ -2,6 +2,8 @@
 
 #include <QFormLayout>
 
+#include "core/base/Translation.h"
+#include "ui/document/Wording.h"
 #include "ui/forms/ParameterEditor.h"
 
 namespace vestige {
@@ -17,8 +19,8 @@ ParameterForm::ParameterForm(const ParameterTable& table, QWidget* parent) : QWi
         auto* editor = new ParameterEditor(spec);
         connect(editor, &ParameterEditor::edited, this,
                 [this, key = spec.key](const QString& text) { take(key, text); });
-        auto* label = new QLabel(QString::fromStdString(spec.label));
-        label->setToolTip(QString::fromStdString(spec.help));
+        auto* label = new QLabel(said(spec.label));
+        label->setToolTip(said(spec.help));
         label->setBuddy(editor);
         form->addRow(label, editor);
         editors_[spec.key] = editor;
@@ -34,7 +36,7 @@ void ParameterForm::setValues(const ParameterSet& values) {
 void ParameterForm::take(const std::string& key, const QString& text) {
     ParameterSet wanted = values_;
     if (const Status set = wanted.setFromText(key, text.toStdString()); !set) {
-        const QString sentence = QString::fromStdString(set.error().sentence());
+        const QString sentence = QString::fromStdString(say(set.error()));
         editors_[key]->setProblem(sentence);
         emit refused(sentence);
         return;

@@ -11,6 +11,7 @@ class InlineJobRunner : public JobRunner {
 
   public:
     using JobRunner::JobRunner;
+    bool immediate() const override { return true; }
     bool busy() const override { return running_; }
     void cancel() override;
 

@@ -59,6 +59,8 @@ class JobRunner : public QObject {
             std::move(done));
     }
 
+    /// Every job is done when `run` returns.
+    virtual bool immediate() const { return false; }
     /// A job runs or waits.
     virtual bool busy() const = 0;
     /// Asks the running job to stop and drops the waiting ones; each still delivers its `done`.

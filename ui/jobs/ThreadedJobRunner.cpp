@@ -5,6 +5,9 @@
 #include <mutex>
 #include <thread>
 
+#include "core/base/CancelScope.h"
+#include "ui/watch/WatchedTime.h"
+
 namespace vestige {
 
 struct ThreadedJobRunner::Private {
@@ -38,10 +41,14 @@ ThreadedJobRunner::ThreadedJobRunner(QObject* parent) : JobRunner(parent), d_(st
             // end.
             QMetaObject::invokeMethod(
                 this, [this, title] { emit started(title); }, Qt::QueuedConnection);
-            auto deliver = next.job.work(next.control);
+            auto deliver = [&] {
+                const CancelScope scope(next.control);
+                return next.job.work(next.control);
+            }();
             QMetaObject::invokeMethod(
                 this,
                 [this, title, deliver = std::move(deliver)] {
+                    const WatchedTime watched("result of", title);
                     --d_->undelivered;
                     deliver();
                     emit finished(title);

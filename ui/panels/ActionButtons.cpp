@@ -4,12 +4,14 @@
 #include <QCheckBox>
 #include <QPushButton>
 
+#include "ui/actions/ActionText.h"
+
 namespace vestige {
 namespace {
 
 void follow(QAbstractButton* button, QAction& action) {
     const auto take = [button, &action] {
-        button->setText(action.text().remove('&').remove(QChar(0x2026)));
+        button->setText(withoutMnemonic(action.text()));
         button->setToolTip(action.toolTip());
         button->setEnabled(action.isEnabled());
         button->setCheckable(action.isCheckable());

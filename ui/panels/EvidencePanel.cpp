@@ -6,6 +6,7 @@
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
 #include "ui/document/Wording.h"
+#include "ui/panels/PanelColors.h"
 
 namespace vestige {
 namespace {
@@ -28,11 +29,11 @@ QString wordFor(EvidenceState state) {
     return QObject::tr("missing");
 }
 
-QColor colorFor(EvidenceState state) {
-    if (state == EvidenceState::unchanged) return {0x8f, 0xd9, 0xae};
+QColor colorFor(EvidenceState state, const QPalette& palette) {
+    if (state == EvidenceState::unchanged) return goodColor(palette);
     if (state == EvidenceState::changed || state == EvidenceState::missing || state == EvidenceState::touched)
-        return {0xf0, 0x8a, 0x7a};
-    return {0x8b, 0x96, 0xa3};
+        return isLight(palette) ? QColor(0xb9, 0x3a, 0x26) : QColor(0xf0, 0x8a, 0x7a);
+    return quietColor(palette);
 }
 
 }  // namespace
@@ -44,10 +45,11 @@ EvidencePanel::EvidencePanel(Document& document, Evidence& evidence, QWidget* pa
       list_(new CompactList(tr("Files are hashed (SHA-256) as they are read."))) {
     list_->tree().setObjectName("evidence");
     list_->tree().setSelectionMode(QAbstractItemView::NoSelection);
-    list_->tree().setFocusPolicy(Qt::NoFocus);
+    list_->tree().setAccessibleName(tr("Evidence"));
     setContent(list_);
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&evidence_, &Evidence::changed, this, [this] { fill(); });
+    onPaletteChange(*this, [this] { fill(); });
     fill();
 }
 
@@ -60,11 +62,10 @@ void EvidencePanel::fill() {
         row->setText(0, toQt(layer.path.filename()));
         row->setText(1, wordFor(state));
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        row->setForeground(1, colorFor(state));
+        row->setForeground(1, colorFor(state, palette()));
         QString tip = toQt(layer.path);
         if (layer.data) tip += "\nSHA-256 " + QString::fromStdString(layer.data->sha256);
-        if (const auto difference = evidenceDifference(layer))
-            tip += "\n" + QString::fromStdString(*difference);
+        if (const auto difference = evidenceDifference(layer)) tip += "\n" + said(*difference);
         row->setToolTip(0, tip);
         row->setToolTip(1, tip);
         tree.addTopLevelItem(row);

@@ -69,6 +69,7 @@ FitPanel::FitPanel(const Models& models, const ActionCatalog& actions, QWidget* 
     layer_->setProperty("role", "heading");
     restarts_->setProperty("role", "muted");
     candidates_->tree().setObjectName("candidates");
+    candidates_->tree().setAccessibleName(tr("Candidates"));
     candidates_->tree().setToolTip(tr("A click shows the layer there, without moving it"));
     figures_->setObjectName("fit-figures");
     figures_->layout()->setContentsMargins(0, 2, 0, 2);

@@ -95,6 +95,7 @@ FitTraceView::FitTraceView(FitTrace& trace, QWidget* parent)
     column->addWidget(curve_);
     auto* row = new QHBoxLayout;
     slider_->setObjectName("fit-slider");
+    slider_->setAccessibleName(tr("Iteration"));
     slider_->setToolTip(tr("Shows the layer where the fit had it at this iteration"));
     play_->setObjectName("fit-replay");
     play_->setToolTip(tr("Shows all iterations one after the other; Esc ends it"));

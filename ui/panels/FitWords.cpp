@@ -28,7 +28,7 @@ QString reachText(double sigma_m) {
 }
 
 QString capitalised(const std::string& sentence) {
-    QString text = QString::fromStdString(sentence);
+    QString text = said(sentence);
     if (!text.isEmpty()) text[0] = text[0].toUpper();
     return text;
 }
@@ -96,7 +96,7 @@ QString freedomText(const RegistrationQuality& quality) {
     QString text = QObject::tr("Nothing: the data hold the pose in all six directions.");
     if (!quality.directions.empty() && !quality.directions.front().words.empty())
         text += "\n" + QObject::tr("Least held: %1 %2.")
-                           .arg(QString::fromStdString(quality.directions.front().words),
+                           .arg(said(quality.directions.front().words),
                                 reachText(quality.directions.front().sigma_m));
     return text;
 }

@@ -38,7 +38,7 @@ LayerForm::LayerForm(Document& document, Selection& selection, QWidget* parent)
     form->setContentsMargins(0, 0, 0, 0);
     form->setHorizontalSpacing(12);
     form->setVerticalSpacing(6);
-    for (const LayerRole role : kRoles) role_->addItem(toQt(vestige::name(role)));
+    for (const LayerRole role : kRoles) role_->addItem(said(vestige::name(role)));
     unit_->addItem(tr("recognise"));
     for (const LengthUnit unit : kLengthUnits) unit_->addItem(toQt(symbol(unit)));
     start_->addItems(
@@ -46,27 +46,30 @@ LayerForm::LayerForm(Document& document, Selection& selection, QWidget* parent)
     start_->setToolTip(
         tr("Where the registration of this layer starts. Found automatically: anywhere in the target, "
            "whatever the layer's pose and unit"));
+    name_->setToolTip(tr("How the layer is called in the window and in the report"));
+    role_->setToolTip(tr("What made the scan: it says how precise it is, and what is registered"));
+    unit_->setToolTip(
+        tr("What the file's coordinates are in; recognised from the file where nothing is chosen"));
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Role"), role_);
     form->addRow(tr("Unit"), unit_);
     form->addRow(tr("Start"), start_);
     connect(name_, &QLineEdit::editingFinished, this, [this] {
         const std::string text = name_->text().trimmed().toStdString();
-        if (!text.empty()) change(tr("rename %1"), [&](Layer& layer) { layer.name = text; });
+        if (!text.empty()) change("rename %1", [&](Layer& layer) { layer.name = text; });
     });
     connect(role_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-        change(tr("role of %1"), [&](Layer& layer) {
+        change("role of %1", [&](Layer& layer) {
             layer.role = kRoles[index];
             layer.method = defaultMethod(layer.role);
         });
     });
     connect(unit_, &QComboBox::textActivated, this, [this](const QString& text) {
-        change(tr("unit of %1"),
-               [&](Layer& layer) { layer.unit = lengthUnitFromSymbol(text.toStdString()); });
+        change("unit of %1", [&](Layer& layer) { layer.unit = lengthUnitFromSymbol(text.toStdString()); });
     });
     connect(start_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
         if (index == fromCase) return fill();
-        change(tr("start of %1"), [index](Layer& layer) {
+        change("start of %1", [index](Layer& layer) {
             layer.init = index == automatic ? InitialPoseSpec(InitAuto()) : InitIdentity();
         });
     });
@@ -94,7 +97,7 @@ void LayerForm::fill() {
     fields_->setVisible(layer != nullptr);
     if (!layer) return;
     if (!name_->isModified() || !name_->hasFocus()) name_->setText(QString::fromStdString(layer->name));
-    role_->setCurrentText(toQt(vestige::name(layer->role)));
+    role_->setCurrentText(said(vestige::name(layer->role)));
     unit_->setCurrentIndex(layer->unit ? unit_->findText(toQt(symbol(*layer->unit))) : 0);
     start_->setCurrentIndex(std::holds_alternative<InitIdentity>(layer->init) ? identity
                             : std::holds_alternative<InitAuto>(layer->init)   ? automatic

@@ -7,6 +7,7 @@
 #include "ui/document/Document.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
+#include "ui/panels/LayerSwatch.h"
 #include "ui/panels/PanelColors.h"
 
 namespace vestige {
@@ -20,7 +21,7 @@ QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget, const QColor& quiet) {
     auto* row = new QTreeWidgetItem;
     row->setText(0, QString::fromStdString(layer.name));
     row->setData(0, Qt::UserRole, QString::fromStdString(layer.id));
-    row->setIcon(0, swatch(QColor(layer.tint[0], layer.tint[1], layer.tint[2])));
+    row->setData(0, LayerSwatch::kColorRole, QColor(layer.tint[0], layer.tint[1], layer.tint[2]));
     row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
     row->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
     const QString points = !layer.data               ? QObject::tr("not read")
@@ -33,7 +34,9 @@ QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget, const QColor& quiet) {
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     row->setForeground(1, quiet);
     if (!layer.visible || !layer.data) row->setForeground(0, quiet);
-    row->setToolTip(0, layerSummary(layer, isTarget) + "\n" + toQt(layer.path));
+    const QString shown = layer.visible ? QObject::tr("shown; its square, or Space, hides it")
+                                        : QObject::tr("hidden; its square, or Space, shows it");
+    row->setToolTip(0, layerSummary(layer, isTarget) + "\n" + shown + "\n" + toQt(layer.path));
     return row;
 }
 
@@ -41,7 +44,7 @@ QTreeWidgetItem* rowOf(const Layer& layer, bool isTarget, const QColor& quiet) {
 
 QString layerSummary(const Layer& layer, bool isTarget) {
     QStringList parts;
-    QString role = toQt(name(layer.role));
+    QString role = said(name(layer.role));
     role[0] = role[0].toUpper();
     parts << role << (layer.unit ? toQt(symbol(*layer.unit)) : QObject::tr("unit not given"));
     if (layer.data) {
@@ -69,6 +72,8 @@ LayersPanel::LayersPanel(Document& document, Selection& selection, QWidget* pare
     details_->setWordWrap(true);
     details_->setContentsMargins(12, 2, 12, 0);
     list_->tree().setObjectName("layers");
+    list_->tree().setAccessibleName(tr("Layers"));
+    list_->tree().setItemDelegateForColumn(0, new LayerSwatch(this));
     setContent(list_);
     setContent(details_);
     connect(&document_, &Document::changed, this, [this] { fill(); });

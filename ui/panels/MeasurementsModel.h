@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QIcon>
+#include <map>
 
 #include "core/scene/MeasuredScene.h"
 
@@ -9,7 +11,8 @@ namespace vestige {
 class Document;
 class Selection;
 
-/// The measured objects as a table, for the method that is selected. Object and tape are edited here.
+/// The measured objects as a table, for the method that is selected: each with the icon of its kind and its
+/// main figure. Object and tape (for other units than metres the reference) are edited here.
 class MeasurementsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -35,12 +38,18 @@ class MeasurementsModel : public QAbstractTableModel {
   private:
     void follow();
     const MeasuredLength* measuredAt(int row) const;
+    const QuantityStatistic* mainFigureAt(int row) const;
+    QString figureAt(int row) const;
+    QString referenceAt(int row, bool toEdit) const;
+    bool setReference(const Measurement& measurement, const QString& text);
+    QIcon iconAt(int row) const;
     QVariant textAt(int row, Column column) const;
     QString tipAt(int row) const;
 
     Document& document_;
     Selection& selection_;
-    int rows_ = 0;  ///< as last told to the views
+    mutable std::map<MeasurementKind, QIcon> icons_;  ///< by palette; made when asked for
+    int rows_ = 0;                                    ///< as last told to the views
 };
 
 }  // namespace vestige

@@ -27,6 +27,8 @@ class MeasurementsPanel : public PanelSection {
     void makeTable();
     void fillMethods();
     void follow();
+    void showVerification();
+    void showMenu(const QPoint& position, const ActionCatalog& actions);
 
     Document& document_;
     Selection& selection_;
@@ -35,6 +37,7 @@ class MeasurementsPanel : public PanelSection {
     QComboBox* methods_;
     QLabel* empty_;
     QLabel* repeats_;
+    QLabel* verified_;  ///< what the known distances say of the method shown
     bool following_ = false;
 };
 

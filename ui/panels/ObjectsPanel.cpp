@@ -16,6 +16,7 @@ ObjectsPanel::ObjectsPanel(Document& document, Selection& selection, QWidget* pa
       selection_(selection),
       list_(new CompactList(tr("Nothing is measured yet."))) {
     list_->tree().setObjectName("objects");
+    list_->tree().setAccessibleName(tr("Objects"));
     setContent(list_);
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&selection_, &Selection::changed, this, [this] { fill(); });

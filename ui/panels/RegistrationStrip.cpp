@@ -102,8 +102,8 @@ void RegistrationStrip::fill() {
         "figure-small");
     QStringList notes{tr("%1 on %2").arg(QString::fromStdString(fit.layer->name), onto),
                       verdictSentence(result.verdict)};
-    for (const auto& reason : result.reasons) notes << QString::fromStdString(reason);
-    for (const auto& note : result.notes) notes << QString::fromStdString(note);
+    for (const auto& reason : result.reasons) notes << said(reason);
+    for (const auto& note : result.notes) notes << said(note);
     setToolTip(notes.join("\n"));
 }
 

@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "core/base/Result.h"
+#include "core/base/Translation.h"
+#include "ui/charts/DiagramChart.h"
 #include "ui/charts/LineChart.h"
 #include "ui/charts/ReChart.h"
 
@@ -71,6 +73,7 @@ struct PlacedPicture {
     QStringList caption;
     double width;
     double height;
+    bool toScale = false;
 };
 
 /// The finest that print shows of a picture; beyond it pixels only make the file large.
@@ -90,6 +93,16 @@ PlacedPicture load(const PageFlow& flow, const Picture& picture, double width, c
     double height = width * opaque.height() / opaque.width();
     const double limit = 0.46 * flow.pageHeight();
     double shown = width;
+    if (picture.toScale && read.dotsPerMeterX() > 0) {
+        const double own = dotsFromMm(1000.0 * read.width() / read.dotsPerMeterX());
+        // One that does not fit would be a lie at any other size; its caption gives the scale.
+        if (own <= 1.001 * width) {
+            shown = own;
+            height = own * opaque.height() / opaque.width();
+            return {opaque.convertToFormat(QImage::Format_RGB888),
+                    wrapText(qt(picture.caption), captionFont, width), shown, height, true};
+        }
+    }
     if (height > limit) {
         shown *= limit / height;
         height = limit;
@@ -107,6 +120,8 @@ void fitToPage(const PageFlow& flow, std::vector<PlacedPicture>& pictures, doubl
     for (const PlacedPicture& picture : pictures) tallest = std::max(tallest, picture.height);
     const double factor = (flow.remaining() - captionHeight) / tallest;
     if (factor >= 1 || factor < 0.67) return;
+    if (std::any_of(pictures.begin(), pictures.end(), [](const PlacedPicture& one) { return one.toScale; }))
+        return;
     for (PlacedPicture& picture : pictures) {
         picture.width *= factor;
         picture.height *= factor;
@@ -179,6 +194,13 @@ void layout(PageFlow& flow, const LineChart& chart) {
                 });
 }
 
+void layout(PageFlow& flow, const Diagram& diagram) {
+    layoutChart(flow, diagram.caption, dotsFromMm(58),
+                [=](QPainter& painter, const QRectF& area, const ChartStyle& style) {
+                    paintDiagram(painter, area, diagram, style);
+                });
+}
+
 void layout(PageFlow& flow, const Table& table) {
     layoutTable(flow, table);
 }
@@ -199,10 +221,10 @@ void layoutTitle(PageFlow& flow, const Report& report) {
         painter.fillRect(QRectF(at, QSizeF(width, dotsFromMm(0.6))), style.accent);
     });
     Facts about;
-    if (!report.caseName.empty()) about.rows.emplace_back("Case", report.caseName);
-    if (!report.operatorName.empty()) about.rows.emplace_back("Operator", report.operatorName);
-    about.rows.emplace_back("Report made", report.date);
-    about.rows.emplace_back("Made with", report.software);
+    if (!report.caseName.empty()) about.rows.emplace_back(say("Case"), report.caseName);
+    if (!report.operatorName.empty()) about.rows.emplace_back(say("Operator"), report.operatorName);
+    about.rows.emplace_back(say("Report made"), report.date);
+    about.rows.emplace_back(say("Made with"), report.software);
     layout(flow, about);
 }
 

@@ -7,13 +7,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Translation.h"
+
 namespace vestige {
 namespace {
 
+bool isChinese() {
+    return language() == Language::simplifiedChinese;
+}
+
 QString chooseFamily() {
-    // Not Inter, which the windows use: its contextual alternates put glyphs into the file that have no
-    // character, so that brackets, hyphens and colons cannot be searched or copied.
+    // WenQuanYi Micro Hei for Chinese: of Noto Sans CJK the writer embeds figures without their characters,
+    // so that no number could be searched or copied. Not Inter, which the windows use: its contextual
+    // alternates put glyphs into the file that have no character, so that brackets, hyphens and colons cannot
+    // be searched or copied.
     const QStringList families = QFontDatabase().families();
+    if (isChinese() && families.contains(QStringLiteral("WenQuanYi Micro Hei")))
+        return QStringLiteral("WenQuanYi Micro Hei");
     for (const char* family : {"Liberation Sans", "DejaVu Sans"})
         if (families.contains(QString::fromLatin1(family))) return QString::fromLatin1(family);
     return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
@@ -33,7 +43,8 @@ PageStyle::PageStyle() : family(chooseFamily()) {}
 QFont PageStyle::font(double points, int weight, bool italic) const {
     QFont font(family);
     font.setPixelSize(static_cast<int>(std::lround(dotsFromPoints(points))));
-    font.setWeight(weight);
+    // It has one weight; only what is as bold as Bold is drawn bolder.
+    font.setWeight(isChinese() && weight > QFont::Medium ? QFont::Bold : weight);
     font.setItalic(italic);
     font.setHintingPreference(QFont::PreferNoHinting);
     return font;

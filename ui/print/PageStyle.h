@@ -28,7 +28,8 @@ struct PageStyle {
     double top = dotsFromMm(27);
     double bottom = dotsFromMm(24);
 
-    QString family;  ///< Liberation Sans, else DejaVu Sans, else what the system has
+    QString family;  ///< Liberation Sans, else DejaVu Sans, else what the system has; of Chinese WenQuanYi
+                     ///< Micro Hei
     QColor text{0x1b, 0x22, 0x2c};
     QColor muted{0x5b, 0x66, 0x73};
     QColor accent{0x1b, 0x3a, 0x5c};

@@ -7,6 +7,7 @@
 #include <QPdfWriter>
 
 #include "core/base/AtomicFile.h"
+#include "core/base/Translation.h"
 #include "ui/print/BlockLayout.h"
 #include "ui/print/PageFlow.h"
 #include "ui/print/PdfIdentity.h"
@@ -30,7 +31,7 @@ void paintFrame(QPainter& painter, const PageStyle& style, const Report& report,
     const QString name = QString::fromStdString(report.caseName.empty() ? report.subtitle : report.caseName);
     ends(dotsFromMm(16), name, QString::fromStdString(report.title));
     ends(style.height - dotsFromMm(13), QString::fromStdString(report.software + " · " + report.date),
-         QStringLiteral("Page %1 of %2").arg(page + 1).arg(pages));
+         QString::fromStdString(say("Page %1 of %2", {std::to_string(page + 1), std::to_string(pages)})));
     const double rule = dotsFromMm(0.15);
     painter.fillRect(QRectF(style.left, dotsFromMm(18), style.textWidth(), rule), style.rule);
     painter.fillRect(QRectF(style.left, style.height - dotsFromMm(17.5), style.textWidth(), rule),

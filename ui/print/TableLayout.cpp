@@ -1,8 +1,10 @@
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QTextBoundaryFinder>
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/Translation.h"
 #include "ui/print/BlockLayout.h"
 
 namespace vestige {
@@ -27,10 +29,27 @@ struct TableShape {
     double width = 0;
 };
 
+/// Chinese is written without spaces and breaks between most of its characters.
+bool isIdeographic(const QString& word) {
+    return std::any_of(word.begin(), word.end(),
+                       [](const QChar c) { return c.script() == QChar::Script_Han; });
+}
+
 double longestWord(const QFontMetricsF& metrics, const QString& text) {
     double widest = 0;
-    for (const QString& word : text.split(QLatin1Char(' ')))
-        widest = std::max(widest, metrics.horizontalAdvance(word));
+    for (const QString& word : text.split(QLatin1Char(' '))) {
+        if (!isIdeographic(word)) {
+            widest = std::max(widest, metrics.horizontalAdvance(word));
+            continue;
+        }
+        // A short heading stands on one line all the same.
+        const double fourCharacters = 4.2 * metrics.horizontalAdvance(word.left(1));
+        widest = std::max(widest, std::min(fourCharacters, metrics.horizontalAdvance(word)));
+        QTextBoundaryFinder places(QTextBoundaryFinder::Line, word);
+        for (int begin = 0, end = places.toNextBoundary(); end > 0;
+             begin = end, end = places.toNextBoundary())
+            widest = std::max(widest, metrics.horizontalAdvance(word.mid(begin, end - begin)));
+    }
     return widest;
 }
 
@@ -171,7 +190,7 @@ class TablePlacer {
         const QFont captionFont = shape_.style.font(8.2, QFont::DemiBold);
         const QFontMetricsF metrics(captionFont);
         const QString caption =
-            QString::fromStdString(table_.caption) + (first ? QString() : QStringLiteral(" (continued)"));
+            QString::fromStdString(first ? table_.caption : say("%1 (continued)", {table_.caption}));
         const QStringList lines =
             table_.caption.empty() ? QStringList() : wrapText(caption, captionFont, shape_.width);
         const double captionHeight =

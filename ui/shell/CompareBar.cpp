@@ -55,11 +55,13 @@ CompareBar::CompareBar(const ActionCatalog& actions, Comparison& comparison, con
     slider_->setObjectName("compare-slider");
     slider_->setFixedWidth(110);
     slider_->setFocusPolicy(Qt::NoFocus);
+    slider_->setAccessibleName(tr("Amount"));
     row->addWidget(slider_);
     auto* close = new QToolButton;
     QAction& end = actions["compare.end"];
     close->setText(QString::fromUtf8("×"));
     close->setToolTip(end.toolTip());
+    close->setAccessibleName(tr("Back to the plain view"));
     connect(close, &QToolButton::clicked, &end, &QAction::trigger);
     row->addWidget(close);
     connect(slider_, &QSlider::valueChanged, this, [this](int place) {

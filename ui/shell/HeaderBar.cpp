@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/ActionText.h"
 #include "ui/document/Document.h"
 #include "ui/document/Wording.h"
 
@@ -17,9 +18,9 @@ namespace {
 QPushButton* buttonFor(QAction& action, const QString& role) {
     auto* button = new QPushButton;
     button->setProperty("role", role);
-    button->setFocusPolicy(Qt::NoFocus);
+    button->setFocusPolicy(Qt::TabFocus);
     const auto follow = [button, &action] {
-        const QString text = action.text().remove('&').remove(QChar(0x2026));
+        const QString text = withoutMnemonic(action.text());
         button->setText(button->fontMetrics().elidedText(text, Qt::ElideRight, 230));
         button->setToolTip(text + "\n" + action.statusTip());
         button->setEnabled(action.isEnabled());
@@ -55,7 +56,7 @@ HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* 
     addWidget(saved_);
     auto* right = new QWidget;
     auto* row = new QHBoxLayout(right);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(0, 0, 8, 0);
     row->setSpacing(8);
     row->addStretch(1);
     row->addWidget(buttonFor(actions["register.run"], "plain"));
@@ -65,6 +66,7 @@ HeaderBar::HeaderBar(const ActionCatalog& actions, Document& document, QWidget* 
     right->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(right);
     connect(&document_, &Document::changed, this, [this] { follow(); });
+    connect(&document_, &Document::replaced, this, [this] { savedAt_ = storedAt_ = {}; });
     follow();
 }
 
@@ -77,12 +79,32 @@ void HeaderBar::follow() {
     title_->setText(fontMetrics().elidedText(document_.title(), Qt::ElideRight, 320));
     const auto& file = document_.state().file;
     title_->setToolTip(toQt(file));
-    if (document_.modified())
-        saved_->setText(tr("not saved"));
-    else if (!file.empty())
-        saved_->setText(tr("saved %1").arg(QFileInfo(toQt(file)).lastModified().toString("HH:mm:ss")));
-    else
+    const QString time = "HH:mm:ss";
+    if (!document_.modified() && !file.empty()) {
+        // The disk is asked once, not at each change.
+        if (!savedAt_.isValid()) savedAt_ = QFileInfo(toQt(file)).lastModified();
+        storedAt_ = {};
+        saved_->setText(tr("saved %1").arg(savedAt_.toString(time)));
+        saved_->setToolTip(tr("The case is saved as it is"));
+        return;
+    }
+    savedAt_ = {};
+    saved_->setToolTip(document_.modified() ? tr("Save case (Ctrl+S) makes what you see the case")
+                                            : QString());
+    if (!document_.modified())
         saved_->clear();
+    else if (storedAt_.isValid())
+        saved_->setText(tr("not saved, changes kept %1").arg(storedAt_.toString(time)));
+    else
+        saved_->setText(tr("not saved"));
+}
+
+void HeaderBar::showStored(bool stored) {
+    if (!stored)
+        storedAt_ = {};
+    else if (!storedAt_.isValid())
+        storedAt_ = QDateTime::currentDateTime();
+    follow();
 }
 
 }  // namespace vestige

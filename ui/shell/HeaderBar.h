@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QToolBar>
 
 class QLabel;
@@ -21,6 +22,9 @@ class HeaderBar : public QToolBar {
     /// Why the case cannot be saved where it is; empty: it can.
     void showReadOnly(const QString& reason);
 
+    /// Whether the unsaved changes outlast everything, as far as is known now.
+    void showStored(bool stored);
+
   private:
     void follow();
 
@@ -28,6 +32,8 @@ class HeaderBar : public QToolBar {
     QLabel* title_;
     QLabel* saved_;
     QAction* readOnly_;
+    QDateTime savedAt_;   ///< of the case as it is
+    QDateTime storedAt_;  ///< of its unsaved changes; invalid: not yet
 };
 
 }  // namespace vestige

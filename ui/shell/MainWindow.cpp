@@ -13,26 +13,39 @@
 #include "ui/actions/FileChooser.h"
 #include "ui/actions/Situation.h"
 #include "ui/actions/Workbench.h"
+#include "ui/actions/reactions/CleaningReactions.h"
 #include "ui/actions/reactions/CompareReactions.h"
 #include "ui/actions/reactions/EditReactions.h"
+#include "ui/actions/reactions/ExchangeReactions.h"
 #include "ui/actions/reactions/ExportReactions.h"
 #include "ui/actions/reactions/FileReactions.h"
+#include "ui/actions/reactions/KindReactions.h"
+#include "ui/actions/reactions/LanguageReactions.h"
 #include "ui/actions/reactions/RegistrationReactions.h"
+#include "ui/actions/reactions/SampleReactions.h"
 #include "ui/actions/reactions/ViewReactions.h"
+#include "ui/actions/reactions/WatchReactions.h"
 #include "ui/document/Attempts.h"
 #include "ui/document/Autosave.h"
+#include "ui/document/Cleaner.h"
+#include "ui/document/CleaningSettings.h"
 #include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
 #include "ui/document/Evidence.h"
 #include "ui/document/FitTrace.h"
+#include "ui/document/History.h"
 #include "ui/document/Loader.h"
 #include "ui/document/Notices.h"
+#include "ui/document/Outputs.h"
+#include "ui/document/PointMarks.h"
+#include "ui/document/PointSelection.h"
 #include "ui/document/Presentation.h"
 #include "ui/document/Preview.h"
 #include "ui/document/RecentFiles.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/ThreadedJobRunner.h"
 #include "ui/shell/AboutBox.h"
+#include "ui/shell/CleaningTools.h"
 #include "ui/shell/GuiThreadRenderer.h"
 #include "ui/shell/HeaderBar.h"
 #include "ui/shell/RecentMenu.h"
@@ -41,6 +54,8 @@
 #include "ui/shell/StatusStrip.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToolSwitch.h"
+#include "ui/shell/ViewControls.h"
+#include "ui/shell/WindowReactions.h"
 #include "ui/shell/WorkArea.h"
 #include "ui/view/SceneView.h"
 
@@ -61,18 +76,31 @@ struct MainWindow::Private {
           evidence(document, *jobs, notices),
           view(std::make_unique<SceneView>(makeSurface, &window)),
           presenter(std::make_unique<ScenePresenter>(
-              ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts}, *jobs,
-              *view)),
+              ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts, marks},
+              *jobs, *view)),
           tools(std::make_unique<ToolSwitch>(actions, document, selection, comparison, notices, *view)),
-          bench{window,     actions, document, selection, presentation,      preview,
-                comparison, trace,   attempts, *jobs,     notices,           loader,
-                evidence,   recent,  chooser,  autosave,  onGuiThread.get(), printer.get()},
+          bench{window,       actions,  document,          selection,
+                presentation, preview,  comparison,        trace,
+                attempts,     *jobs,    notices,           loader,
+                evidence,     recent,   history,           outputs,
+                chooser,      autosave, onGuiThread.get(), printer.get(),
+                points,       cleaning},
           files(bench),
           edits(bench),
           registration(bench),
           compares(bench),
           views(bench),
-          exports(bench) {}
+          viewControls(std::make_unique<ViewControls>(bench, *view, *presenter)),
+          exports(bench),
+          kinds(bench),
+          exchange(bench),
+          sample(bench),
+          ofWindow(window, bench, *view),
+          languages(bench),
+          cleans(bench),
+          cleaningTools(bench, *view),
+          cleaner(document, *jobs, notices),
+          watches(bench) {}
 
     std::unique_ptr<ViewRenderer> renderer;
     std::unique_ptr<DocumentPrinter> printer;
@@ -85,8 +113,13 @@ struct MainWindow::Private {
     Comparison comparison;
     FitTrace trace{document, preview};
     Attempts attempts{document, preview};
+    PointSelection points{document};
+    PointMarks marks{document, points};
+    CleaningSettings cleaning;
     Notices notices;
     RecentFiles recent;
+    History history{document};
+    Outputs outputs{document};
     std::unique_ptr<Autosave> autosave;
     std::unique_ptr<JobRunner> jobs;
     ActionCatalog actions;
@@ -101,7 +134,17 @@ struct MainWindow::Private {
     RegistrationReactions registration;
     CompareReactions compares;
     ViewReactions views;
+    std::unique_ptr<ViewControls> viewControls;
     ExportReactions exports;
+    KindReactions kinds;
+    ExchangeReactions exchange;
+    SampleReactions sample;
+    WindowReactions ofWindow;
+    LanguageReactions languages;
+    CleaningReactions cleans;
+    CleaningTools cleaningTools;
+    Cleaner cleaner;
+    WatchReactions watches;
     HeaderBar* header = nullptr;
     WorkArea* area = nullptr;
     StatusStrip* status = nullptr;
@@ -139,23 +182,29 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     connect(area, &WorkArea::chosen, this, [this](const QString& path) { open({path}); });
     setCentralWidget(area);
     d.area = area;
+    d.viewControls->attach(area->viewArea(), area->viewsPanel());
+    area->follow(d.cleaningTools, d.cleans);
+    connect(&d.cleans, &CleaningReactions::boxWanted, d.presenter.get(), &ScenePresenter::showBox);
+    connect(&d.points, &PointSelection::changed, d.presenter.get(), &ScenePresenter::refreshPoints);
     auto* status = new StatusStrip(d.document, *d.jobs);
     d.status = status;
     connect(d.tools.get(), &ToolSwitch::hovered, status, &StatusStrip::showCoordinates);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addPermanentWidget(status, 1);
 
+    connect(&d.sample, &SampleReactions::ready, this, [this](const QString& path) { open({path}); });
     connect(&d.views, &ViewReactions::namedViewWanted, d.presenter.get(), &ScenePresenter::showNamedView);
     d.actions.onTriggered("view.layer", [this] { d_->presenter->showLayer(); });
     d.actions.onTriggered("help.about", [this] { showAbout(this); });
     const auto update = [this] {
-        d_->actions.update(
-            situationOf(d_->document, d_->selection, *d_->jobs, d_->attempts, d_->preview, d_->comparison));
+        d_->actions.update(situationOf(d_->document, d_->selection, *d_->jobs, d_->attempts, d_->preview,
+                                       d_->comparison, &d_->points));
         setWindowTitle(d_->document.title() + "[*] - Vestige");
         setWindowModified(d_->document.modified());
     };
     connect(&d.document, &Document::changed, this, update);
     connect(&d.selection, &Selection::changed, this, update);
+    connect(&d.points, &PointSelection::changed, this, update);
     connect(&d.attempts, &Attempts::changed, this, update);
     connect(&d.preview, &Preview::changed, this, update);
     connect(&d.comparison, &Comparison::switched, this, update);
@@ -167,6 +216,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
 // The view goes before its widget, and the panels before the document that they show.
 MainWindow::~MainWindow() {
     hide();
+    d_->viewControls.reset();
     d_->tools.reset();
     d_->presenter.reset();
     d_->view.reset();
@@ -196,6 +246,7 @@ void MainWindow::keepEdits(const std::filesystem::path& folder) {
         d_->status->showAutosave(d_->autosave->text(),
                                  state == Autosave::State::failed || state == Autosave::State::elsewhere);
         d_->header->showReadOnly(d_->autosave->readOnly());
+        d_->header->showStored(state == Autosave::State::stored);
     });
     connect(d.autosave.get(), &Autosave::troubled, &d.notices, &Notices::warn);
     connect(&d.loader, &Loader::opened, this, [this] {
@@ -245,7 +296,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(d_->files.mayLeave());
     if (!event->isAccepted()) return;
     d_->jobs->cancel();
-    if (d_->autosave) d_->autosave->end();
+    d_->files.leave();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

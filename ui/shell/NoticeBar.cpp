@@ -24,22 +24,24 @@ NoticeBar::NoticeBar(Notices& notices, QWidget* parent)
     close->setText(QString::fromUtf8("×"));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(close->toolTip());
     row->addWidget(close);
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(close, &QToolButton::clicked, this, [this] {
+        open_.clear();
+        hide();
+    });
     hide_.setSingleShot(true);
     connect(&hide_, &QTimer::timeout, this, &QWidget::hide);
-    connect(&notices, &Notices::informed, this, [this](const QString& s) { show(s, false); });
+    connect(&notices, &Notices::informed, this, [this](const QString& s) { tell(s, false); });
     connect(&notices, &Notices::informedOf, this, [this](const QString& s, const QString& path) {
-        show(s, false, {{tr("Show"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }}});
+        tell(s, false, {{tr("Show"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }}});
     });
-    connect(&notices, &Notices::warned, this, [this](const QString& s) { show(s, true); });
+    connect(&notices, &Notices::warned, this, [this](const QString& s) { tell(s, true); });
     connect(&notices, &Notices::offered, this,
-            [this](const QString& s, const std::vector<Notices::Offer>& offers) {
-                show(s, true, offers);
-                offering_ = true;
-            });
+            [this](const QString& s, const std::vector<Notices::Offer>& offers) { offer(s, offers); });
     connect(&notices, &Notices::withdrawn, this, [this] {
-        if (offering_) hide();
+        if (!open_.empty()) hide();
+        open_.clear();
     });
     hide();
 }
@@ -48,23 +50,39 @@ QString NoticeBar::text() const {
     return isHidden() ? QString() : text_->text();
 }
 
+void NoticeBar::tell(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers) {
+    if (open_.empty()) return show(sentence, warning, offers);
+    show(sentence + '\n' + offered_, true, open_);
+}
+
+void NoticeBar::offer(const QString& sentence, std::vector<Notices::Offer> offers) {
+    offered_ = sentence;
+    open_ = std::move(offers);
+    show(sentence, true, open_);
+}
+
+void NoticeBar::taken(const Notices::Offer& offer) {
+    std::erase_if(open_, [&](const Notices::Offer& other) { return other.group == offer.group; });
+    if (open_.empty())
+        hide();
+    else
+        show(offered_, true, open_);
+    offer.take();
+}
+
 void NoticeBar::show(const QString& sentence, bool warning, const std::vector<Notices::Offer>& offers) {
-    offering_ = false;
     // One of them may be what was pressed just now.
     for (QToolButton* button : std::exchange(buttons_, {})) {
         button->setObjectName({});
         button->hide();
         button->deleteLater();
     }
-    for (const Notices::Offer& offer : offers) {
+    for (const Notices::Offer& one : offers) {
         auto* button = new QToolButton;
         button->setObjectName(buttons_.empty() ? QString("notice-button")
                                                : QString("notice-button-%1").arg(buttons_.size() + 1));
-        button->setText(offer.text);
-        connect(button, &QToolButton::clicked, this, [this, take = offer.take] {
-            hide();
-            take();
-        });
+        button->setText(one.text);
+        connect(button, &QToolButton::clicked, this, [this, one] { taken(one); });
         offers_->addWidget(button);
         buttons_.push_back(button);
     }

@@ -8,10 +8,8 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "core/scene/CaseFile.h"
 #include "ui/document/Autosave.h"
 #include "ui/document/Loader.h"
-#include "ui/document/Wording.h"
 
 namespace vestige {
 
@@ -40,13 +38,14 @@ RecoveryBar::RecoveryBar(Autosave& autosave, Loader& loader, std::function<bool(
     later->setText(QString::fromUtf8("×"));
     later->setAutoRaise(true);
     later->setToolTip(tr("Decide later"));
+    later->setAccessibleName(later->toolTip());
     row->addWidget(later);
     connect(accept_, &QPushButton::clicked, this, [this] { accept(); });
     connect(discard_, &QPushButton::clicked, this, [this] { discard(); });
     connect(later, &QToolButton::clicked, this, &QWidget::hide);
     connect(&loader_, &Loader::recovered, this, [this](const QString& sentence) { tellRecovered(sentence); });
-    connect(&loader_, &Loader::opened, this, [this](const QString& path) {
-        const auto place = casePlace(toPath(path)).string();
+    connect(&loader_, &Loader::opened, this, [this] {
+        const auto place = autosave_.place().string();
         std::erase_if(offers_, [&](const Abandoned& one) { return one.content.caseFile == place; });
         if (!ofOpenCase_) offerNext();
     });
@@ -57,8 +56,10 @@ RecoveryBar::RecoveryBar(Autosave& autosave, Loader& loader, std::function<bool(
 }
 
 void RecoveryBar::offerAbandoned() {
-    offers_ = autosave_.abandoned();
-    offerNext();
+    loader_.findAbandoned([this](std::vector<Abandoned> found) {
+        offers_ = std::move(found);
+        if (!ofOpenCase_) offerNext();
+    });
 }
 
 void RecoveryBar::offerNext() {
@@ -69,8 +70,7 @@ void RecoveryBar::offerNext() {
     const QString name = content.caseFile.empty()
                              ? tr("A case that was never saved")
                              : QFileInfo(QString::fromStdString(content.caseFile)).fileName();
-    text_->setText(tr("%1 was open when the program ended: %2.")
-                       .arg(name, QString::fromStdString(content.unsavedSentence())));
+    text_->setText(tr("%1 was open when the program ended: %2.").arg(name, said(content.unsavedSentence())));
     accept_->setText(tr("Recover"));
 }
 
@@ -87,10 +87,11 @@ void RecoveryBar::accept() {
     if (ofOpenCase_) return offerNext();
     if (!mayLeave_()) return;
     const Abandoned chosen = offers_.front();
-    // What came of it in spite of a failure, a layer that is missing, is told by `recovered`.
-    if (!loader_.recover(chosen) && !ofOpenCase_) return;
-    std::erase_if(offers_, [&](const Abandoned& one) { return one.folder == chosen.folder; });
-    if (!ofOpenCase_) offerNext();
+    loader_.recover(chosen, [this, chosen](bool opened) {
+        if (!opened) return;
+        std::erase_if(offers_, [&](const Abandoned& one) { return one.folder == chosen.folder; });
+        if (!ofOpenCase_) offerNext();
+    });
 }
 
 void RecoveryBar::discard() {

@@ -3,18 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/CameraProjection.h"
 #include "core/pipeline/DescribeView.h"
 #include "core/pipeline/FrameView.h"
 #include "core/pipeline/FreeDirections.h"
+#include "core/pipeline/KindPaths.h"
 #include "core/scene/PickFrame.h"
 #include "ui/document/Attempts.h"
 #include "ui/document/Comparison.h"
 #include "ui/document/Document.h"
+#include "ui/document/PointMarks.h"
 #include "ui/document/Presentation.h"
 #include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
 #include "ui/jobs/JobRunner.h"
 #include "ui/view/SceneView.h"
+#include "ui/watch/WatchedTime.h"
 
 namespace vestige {
 namespace {
@@ -63,9 +67,14 @@ ViewDescription placedOnly(const SceneState& scene, const ViewDescription& descr
 
 ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent)
     : QObject(parent), models_(models), jobs_(jobs), view_(view) {
-    connect(&models_.document, &Document::replaced, this, [this] { frameAll_ = true; });
+    connect(&models_.document, &Document::replaced, this, [this] {
+        frameAll_ = true;
+        residuals_.clear();
+    });
     connect(&models_.document, &Document::changed, this, [this] { refresh(); });
     connect(&models_.presentation, &Presentation::changed, this, [this] { refresh(); });
+    connect(&models_.presentation, &Presentation::sectionChanged, this,
+            [this] { view_.setSection(models_.presentation.section()); });
     connect(&models_.preview, &Preview::changed, this, [this] { refresh(); });
     connect(&models_.comparison, &Comparison::switched, this, [this] { refresh(); });
     connect(&models_.comparison, &Comparison::adjusted, this,
@@ -76,8 +85,27 @@ ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView&
 void ScenePresenter::showNamedView(NamedView view) {
     const ViewDescription& described = view_.description();
     if (bounds(described).empty()) return;
-    view_.setCamera(frameView(placedOnly(models_.document.state(), described), view,
-                              std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height())));
+    const ViewCamera now = view_.camera();
+    view_.setCamera(
+        frameView(placedOnly(models_.document.state(), described), view, now.width_px, now.height_px));
+}
+
+void ScenePresenter::showOtherSide(NamedView view) {
+    const ViewDescription& described = view_.description();
+    if (bounds(described).empty()) return;
+    const ViewCamera now = view_.camera();
+    const ViewDescription placed = placedOnly(models_.document.state(), described);
+    view_.setCamera(framed(placed, fromOtherSide(frameView(placed, view, now.width_px, now.height_px))));
+}
+
+void ScenePresenter::showAll() {
+    if (bounds(view_.description()).empty()) return;
+    const ViewDescription placed = placedOnly(models_.document.state(), view_.description());
+    view_.changeCameras([&](const ViewCamera& camera) { return framed(placed, camera); });
+}
+
+BoundingBox ScenePresenter::placedBounds() const {
+    return subjectBounds(placedOnly(models_.document.state(), view_.description()));
 }
 
 void ScenePresenter::showLayer() {
@@ -87,6 +115,16 @@ void ScenePresenter::showLayer() {
     ViewDescription alone = view_.description();
     std::erase_if(alone.layers, [&](const ViewLayer& layer) { return layer.id != wanted; });
     if (!bounds(alone).empty()) view_.setCamera(lookAt(view_.camera(), bounds(alone)));
+}
+
+void ScenePresenter::showBox(const BoundingBox& box) {
+    if (!box.empty()) view_.setCamera(lookAt(view_.camera(), box));
+}
+
+void ScenePresenter::refreshPoints() {
+    ViewDescription described = view_.description();
+    models_.marks.apply(described);
+    view_.show(std::move(described));
 }
 
 /// Distances to the target belong to one pose: a layer that is shown elsewhere goes without them.
@@ -99,12 +137,15 @@ Overlay ScenePresenter::overlayNow() const {
 }
 
 void ScenePresenter::refresh() {
+    const WatchedTime watched("ScenePresenter::refresh");
     ++refreshes_;
     // Distances to the target take seconds on large clouds; the picture without them comes first.
     const bool residual = overlayNow() == Overlay::residual;
-    show(describeView(models_.document.state(), models_.presentation.colorMode(),
-                      residual ? Overlay::none : overlayNow(), models_.presentation.before()));
-    if (residual) computeResiduals();
+    auto described = describeView(models_.document.state(), models_.presentation.colorMode(),
+                                  residual ? Overlay::none : overlayNow(), models_.presentation.before());
+    const bool known = residual && residuals_.fill(described, models_.document.state());
+    show(std::move(described));
+    if (residual && !known) computeResiduals();
 }
 
 void ScenePresenter::computeResiduals() {
@@ -117,7 +158,9 @@ void ScenePresenter::computeResiduals() {
             return described;
         },
         [this, asked = refreshes_](Result<ViewDescription> described) {
-            if (described && asked == refreshes_) show(std::move(*described));
+            if (!described || asked != refreshes_) return;
+            residuals_.remember(*described, models_.document.state());
+            show(std::move(*described));
         });
 }
 
@@ -156,9 +199,15 @@ void ScenePresenter::show(ViewDescription described) {
     described.title.clear();  // stands in the header of the window
     described.theme = models_.presentation.theme();
     described.eyeDomeLighting = models_.presentation.eyeDomeLighting();
+    described.coloring = models_.presentation.coloring();
+    described.section = models_.presentation.section();
+    described.sizeByDistance = models_.presentation.sizeByDistance();
+    described.showGrid = models_.presentation.grid();
+    described.showNorthArrow = models_.presentation.northArrow() && knowsNorth(models_.document.state());
     for (ViewLayer& shown : described.layers) place(shown);
     if (models_.comparison.active()) described.comparison = models_.comparison.shown();
     annotate(described);
+    models_.marks.apply(described);
     std::vector<std::shared_ptr<const Octree>> octrees;
     for (const ViewLayer& shown : described.layers) {
         const Layer* layer = models_.document.state().layer(shown.id);
@@ -166,9 +215,8 @@ void ScenePresenter::show(ViewDescription described) {
     }
     const bool frame = frameAll_ && !bounds(described).empty();
     if (frame) {
-        described.camera =
-            frameView(placedOnly(models_.document.state(), described), NamedView::perspective,
-                      std::max(1, view_.widget()->width()), std::max(1, view_.widget()->height()));
+        described.camera = frameView(placedOnly(models_.document.state(), described), NamedView::perspective,
+                                     view_.camera().width_px, view_.camera().height_px);
         frameAll_ = false;
     } else {
         described.camera = view_.camera();
@@ -182,6 +230,8 @@ void ScenePresenter::show(ViewDescription described) {
 void ScenePresenter::annotate(ViewDescription& described) const {
     described.marks = marksOf(models_.document.state(), models_.document.measured(),
                               models_.selection.object(), models_.selection.method());
+    described.paths = measurementPaths(models_.document.state(), models_.document.measured(),
+                                       models_.selection.method(), models_.selection.object());
     described.arrows.clear();
     if (!models_.presentation.freeDirections() || models_.preview.active()) return;
     const ShownFit fit = shownFit(models_.document, models_.selection, models_.attempts);
@@ -189,6 +239,7 @@ void ScenePresenter::annotate(ViewDescription& described) const {
 }
 
 void ScenePresenter::refreshMarks() {
+    const WatchedTime watched("ScenePresenter::refreshMarks");
     ViewDescription described = view_.description();
     annotate(described);
     view_.show(std::move(described));

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "core/pipeline/ViewRenderer.h"
+#include "ui/shell/ResidualCache.h"
 
 namespace vestige {
 
@@ -13,6 +14,7 @@ class JobRunner;
 class Presentation;
 class Preview;
 class SceneView;
+class PointMarks;
 struct Layer;
 class Selection;
 
@@ -29,12 +31,23 @@ class ScenePresenter : public QObject {
         const Preview& preview;
         const Comparison& comparison;
         const Attempts& attempts;
+        PointMarks& marks;
     };
     ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent = nullptr);
     void showNamedView(NamedView view);
+    /// What is seen from there, seen from its other side: back for front.
+    void showOtherSide(NamedView view);
+    /// Fills every pane with all that has its place, or with the section, seen from where its camera is.
+    void showAll();
+    /// World bounds of what has its place.
+    BoundingBox placedBounds() const;
     /// Fills the view with the selected layer, else the one whose registration is described, seen from where
     /// the camera is.
     void showLayer();
+    /// Fills the view with a box of the scene, seen from where the camera is.
+    void showBox(const BoundingBox& box);
+    /// Shows again what is selected and hidden.
+    void refreshPoints();
 
   private:
     void refresh();
@@ -47,6 +60,7 @@ class ScenePresenter : public QObject {
     Overlay overlayNow() const;
 
     Models models_;
+    ResidualCache residuals_;
     JobRunner& jobs_;
     SceneView& view_;
     bool frameAll_ = true;  ///< the next non-empty picture takes a camera that holds everything

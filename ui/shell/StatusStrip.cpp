@@ -11,6 +11,11 @@
 #include "ui/jobs/JobRunner.h"
 
 namespace vestige {
+namespace {
+
+constexpr int kTick_ms = 500;
+
+}  // namespace
 
 StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
     : QWidget(parent),
@@ -19,6 +24,7 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
       job_(new QLabel),
       bar_(new QProgressBar),
       percent_(new QLabel),
+      left_(new QLabel),
       cancel_(new QPushButton(tr("Cancel"))),
       message_(new QLabel),
       autosave_(new QLabel),
@@ -33,6 +39,8 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
     bar_->setTextVisible(false);
     bar_->setFixedSize(132, 5);
     percent_->setMinimumWidth(40);
+    left_->setObjectName("time-left");
+    left_->setProperty("role", "muted");
     cancel_->setObjectName("cancel");
     cancel_->setToolTip(tr("Stop this job; the case stays as it was"));
     coordinates_->setObjectName("coordinates");
@@ -40,6 +48,7 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
     row->addWidget(job_);
     row->addWidget(bar_);
     row->addWidget(percent_);
+    row->addWidget(left_);
     row->addWidget(cancel_);
     message_->setObjectName("job-message");
     message_->setProperty("role", "muted");
@@ -55,25 +64,20 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
         cancel_->setEnabled(false);
         jobs_.cancel();
     });
-    connect(&jobs_, &JobRunner::started, this, [this](const QString& title) {
-        title_ = title;
-        job_->setText(title);
-        bar_->setValue(0);
-        percent_->clear();
-        cancel_->setEnabled(true);
-        for (QWidget* widget :
-             {static_cast<QWidget*>(bar_), static_cast<QWidget*>(percent_), static_cast<QWidget*>(cancel_)})
-            widget->show();
-    });
+    clock_.start();
+    tick_.setInterval(kTick_ms);
+    connect(&tick_, &QTimer::timeout, this, [this] { showTimeLeft(); });
+    connect(&jobs_, &JobRunner::started, this, [this](const QString& title) { begin(title); });
     connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& step) {
         // What a worker's thread reported may arrive after the job's end.
         if (!jobs_.busy()) return;
+        share_ = fraction;
         bar_->setValue(static_cast<int>(1000 * fraction));
         percent_->setText(tr("%1 %").arg(static_cast<int>(100 * fraction)));
-        job_->setText(step.isEmpty() ? title_ : title_ + ": " + step);
+        job_->setText(step.isEmpty() ? title_ : tr("%1: %2").arg(title_, said(step.toStdString())));
     });
     connect(&jobs_, &JobRunner::messaged, this, [this](const QString& sentence) {
-        if (jobs_.busy()) message_->setText(sentence);
+        if (jobs_.busy()) message_->setText(said(sentence.toStdString()));
     });
     connect(&jobs_, &JobRunner::finished, this, [this] { showIdle(); });
     connect(&document_, &Document::changed, this, [this] {
@@ -83,6 +87,27 @@ StatusStrip::StatusStrip(Document& document, JobRunner& jobs, QWidget* parent)
             message_->setText(previewText());
     });
     showIdle();
+}
+
+void StatusStrip::begin(const QString& title) {
+    title_ = title;
+    share_ = 0;
+    job_->setText(title);
+    bar_->setValue(0);
+    percent_->clear();
+    left_->clear();
+    cancel_->setEnabled(true);
+    for (QWidget* widget : std::initializer_list<QWidget*>{bar_, percent_, left_, cancel_}) widget->show();
+    estimate_.emplace(1e-3 * static_cast<double>(clock_.elapsed()));
+    tick_.start();
+}
+
+void StatusStrip::showTimeLeft() {
+    if (!estimate_) return;
+    const double now = 1e-3 * static_cast<double>(clock_.elapsed());
+    estimate_->update(now, share_);
+    const auto left = estimate_->left_s(now);
+    left_->setText(left ? timeLeftText(*left) : QString());
 }
 
 /// "Showing 1.5 M of 100 M points" while what is shown is not all yet.
@@ -100,9 +125,9 @@ QString StatusStrip::previewText() const {
 
 void StatusStrip::showIdle() {
     if (jobs_.busy()) return;
-    bar_->hide();
-    percent_->hide();
-    cancel_->hide();
+    tick_.stop();
+    estimate_.reset();
+    for (QWidget* widget : std::initializer_list<QWidget*>{bar_, percent_, left_, cancel_}) widget->hide();
     message_->clear();
     std::uint64_t points = 0;
     for (const Layer& layer : document_.state().layers)

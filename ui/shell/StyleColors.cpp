@@ -57,6 +57,7 @@ constexpr StyleColor kColors[] = {
     {"notice", "#1c2a44", "#e5eefd"},
     {"row-hover", "#1a2129", "#e9edf2"},
     {"button-disabled", "#181d23", "#f0f2f5"},
+    {"done", "#1f4d36", "#cfeadb"},
     {"welcome", "#0f1317", "#eef1f4"},
 };
 

@@ -49,7 +49,10 @@ void prepare() {
     loadResources();
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     QFont font = QApplication::font();
-    if (QFontDatabase().families().contains("Inter")) font.setFamily("Inter");
+    // Inter has no Chinese glyphs.
+    QStringList families{font.family(), "WenQuanYi Micro Hei"};
+    if (QFontDatabase().families().contains("Inter")) families.prepend("Inter");
+    font.setFamilies(families);
     font.setPixelSize(13);
     QApplication::setFont(font);
 }

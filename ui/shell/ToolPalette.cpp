@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/KindTools.h"
 #include "ui/document/Presentation.h"
 
 namespace vestige {
@@ -37,6 +38,8 @@ QString colorText(const Presentation& shown) {
             return QObject::tr("Intensity");
         case ColorMode::rgb:
             return QObject::tr("RGB");
+        case ColorMode::classification:
+            return QObject::tr("Class");
         case ColorMode::source:
             break;
     }
@@ -46,14 +49,17 @@ QString colorText(const Presentation& shown) {
 QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentation) {
     auto* button = new QToolButton;
     button->setObjectName("color-mode");
+    button->setAccessibleName(QObject::tr("Colour"));
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("What the points' colour shows"));
     auto* menu = new QMenu(button);
-    for (const char* id :
-         {"view.color-source", "view.color-height", "view.color-intensity", "view.color-rgb"})
+    for (const char* id : {"view.color-source", "view.color-height", "view.color-intensity", "view.color-rgb",
+                           "view.color-class"})
         menu->addAction(&actions[id]);
     menu->addSeparator();
     for (const char* id : {"register.tint", "register.residual"}) menu->addAction(&actions[id]);
+    menu->addSeparator();
+    menu->addAction(&actions["view.color-range"]);
     button->setMenu(menu);
     const auto name = [button, &presentation] { button->setText(colorText(presentation)); };
     QObject::connect(&presentation, &Presentation::changed, button, name);
@@ -61,10 +67,47 @@ QToolButton* colorButton(const ActionCatalog& actions, Presentation& presentatio
     return button;
 }
 
+/// One button for the kinds of measurement besides the distance; it shows the one that was used last.
+QToolButton* kindButton(const ActionCatalog& actions) {
+    auto* button = new QToolButton;
+    button->setObjectName("kinds");
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(true);
+    button->setText(QObject::tr("More"));
+    button->setToolTip(QObject::tr("Measure something else: heights, angles, lines, arcs, areas, crush ..."));
+    button->setAccessibleName(QObject::tr("Kinds of measurement"));
+    auto* menu = new QMenu(button);
+    const auto follow = [button, &actions] {
+        bool on = false;
+        for (const auto& [id, kind] : kindTools()) on = on || actions[id].isChecked();
+        button->setChecked(on);
+        button->setEnabled(actions["tool.angle"].isEnabled());
+        QString text = QObject::tr("More");
+        button->setIcon(actions["tool.polyline"].icon());
+        for (const auto& [id, kind] : kindTools()) {
+            if (!actions[id].isChecked()) continue;
+            text = actions[id].text().remove('&');
+            button->setIcon(actions[id].icon());
+        }
+        button->setText(text);
+        if (QWidget* palette = button->parentWidget()) palette->adjustSize();
+    };
+    for (const auto& [id, kind] : kindTools()) {
+        menu->addAction(&actions[id]);
+        QObject::connect(&actions[id], &QAction::changed, button, follow);
+    }
+    QObject::connect(menu, &QMenu::aboutToHide, button, follow, Qt::QueuedConnection);
+    button->setMenu(menu);
+    follow();
+    return button;
+}
+
 /// One button for the ways to compare; pressed while one is on.
 QToolButton* compareButton(const ActionCatalog& actions) {
     auto* button = new QToolButton;
     button->setObjectName("compare");
+    button->setAccessibleName(QObject::tr("Compare"));
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(QObject::tr("Compare two pictures of the scene: swipe, blink, checkerboard"));
     button->setCheckable(true);
@@ -103,15 +146,19 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->setSpacing(2);
     row->addWidget(buttonFor(actions["tool.orbit"], Qt::ToolButtonTextOnly));
     row->addWidget(buttonFor(actions["tool.distance"], Qt::ToolButtonTextOnly));
+    row->addWidget(kindButton(actions));
+    row->addWidget(buttonFor(actions["tool.lasso"], Qt::ToolButtonIconOnly));
+    row->addWidget(buttonFor(actions["tool.box-select"], Qt::ToolButtonIconOnly));
     row->addWidget(gap());
     row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));
     row->addWidget(compareButton(actions));
     row->addWidget(gap());
     row->addWidget(colorButton(actions, presentation));
-    row->addWidget(buttonFor(actions["view.smaller-points"], Qt::ToolButtonIconOnly));
-    row->addWidget(buttonFor(actions["view.larger-points"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["view.edl"], Qt::ToolButtonIconOnly));
+    row->addWidget(gap());
+    for (const char* id : {"view.fit", "view.four", "view.parallel", "view.section", "view.screenshot"})
+        row->addWidget(buttonFor(actions[id], Qt::ToolButtonIconOnly));
 }
 
 }  // namespace vestige

@@ -3,6 +3,7 @@
 #include <QAction>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/KindTools.h"
 #include "ui/document/Document.h"
 #include "ui/document/Wording.h"
 #include "ui/view/SceneView.h"
@@ -14,8 +15,13 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
     : QObject(parent),
       document_(document),
       view_(view),
-      orbit_(probe_),
-      measure_(document, selection, notices, probe_),
+      snaps_(actions, choices_),
+      picks_(document, choices_, probe_),
+      feedback_(choices_),
+      mover_(document, selection, picks_, feedback_),
+      orbit_(probe_, mover_, choices_),
+      measure_(document, selection, {choices_, picks_, feedback_, mover_}),
+      path_(document, selection, notices, probe_),
       compare_(comparison) {
     view_.setGuard(&compare_);
     actions.onToggled("tool.orbit", [this](bool on) {
@@ -23,7 +29,26 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
     });
     actions.onToggled("tool.distance", [this](bool on) {
         if (on) view_.setTool(&measure_);
+        emit picking(on);
     });
+    for (const auto& [id, kind] : kindTools())
+        actions.onToggled(id, [this, kind = kind](bool on) {
+            if (!on) return;
+            path_.setKind(kind);
+            view_.setTool(&path_);
+        });
+    connect(&path_, &PathTool::hintChanged, this, &ToolSwitch::hintChanged);
+    QAction& distance = actions["tool.distance"];
+    distance.setShortcuts({distance.shortcut(), QKeySequence(Qt::Key_M)});
+    connect(&measure_, &MeasureTool::hintChanged, this, &ToolSwitch::hintChanged);
+    // Not at once: the tool may be in the middle of an event of the view that it would leave.
+    connect(
+        &measure_, &MeasureTool::finished, this, [&actions] { actions["tool.orbit"].setChecked(true); },
+        Qt::QueuedConnection);
+    connect(&mover_, &PickMover::told, this, [this](const QString& sentence) {
+        if (view_.tool() == &orbit_) emit hintChanged(sentence);
+    });
+    connect(&choices_, &PickChoices::changed, &view_, &SceneView::updateOverlay);
     connect(&probe_, &HoverProbe::hovered, this, [this](const auto& pick) { describe(pick); });
     actions["tool.orbit"].setChecked(true);
 }

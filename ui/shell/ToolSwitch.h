@@ -3,10 +3,16 @@
 #include <QObject>
 #include <string>
 
+#include "ui/actions/reactions/SnapReactions.h"
+#include "ui/document/PickChoices.h"
 #include "ui/tools/CompareTool.h"
 #include "ui/tools/HoverProbe.h"
 #include "ui/tools/MeasureTool.h"
 #include "ui/tools/OrbitTool.h"
+#include "ui/tools/PathTool.h"
+#include "ui/tools/PickFeedback.h"
+#include "ui/tools/PickMover.h"
+#include "ui/tools/PickProbe.h"
 
 namespace vestige {
 
@@ -22,8 +28,13 @@ class ToolSwitch : public QObject {
                Notices& notices, SceneView& view, QObject* parent = nullptr);
     ~ToolSwitch() override;
     MeasureTool& measure() { return measure_; }
+    PathTool& path() { return path_; }
 
   signals:
+    /// What the next click of the active tool does; empty for a tool that needs no words.
+    void hintChanged(const QString& hint);
+    /// The active tool picks, or not: what it snaps to can be chosen.
+    void picking(bool on);
     void hovered(const QString& coordinates, const QString& layer);
 
   private:
@@ -31,9 +42,15 @@ class ToolSwitch : public QObject {
 
     Document& document_;
     SceneView& view_;
+    PickChoices choices_;
+    SnapReactions snaps_;
     HoverProbe probe_;
+    PickProbe picks_;
+    PickFeedback feedback_;
+    PickMover mover_;
     OrbitTool orbit_;
     MeasureTool measure_;
+    PathTool path_;
     CompareTool compare_;
 };
 

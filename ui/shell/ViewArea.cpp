@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <algorithm>
 
 namespace vestige {
 
@@ -25,17 +26,19 @@ void ViewArea::setTools(QWidget* tools) {
     arrange();
 }
 
-void ViewArea::setBar(QWidget* bar) {
-    bar_ = bar;
+void ViewArea::addBar(QWidget* bar) {
+    bars_.push_back(bar);
+    const bool shown = !bar->isHidden();
     bar->setParent(this);
+    bar->setVisible(shown);
     bar->installEventFilter(this);
     arrange();
 }
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
     const auto type = event->type();
-    if (watched == bar_ && (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest))
-        arrange();
+    const bool isBar = watched == chooser_ || std::find(bars_.begin(), bars_.end(), watched) != bars_.end();
+    if (isBar && (type == QEvent::Show || type == QEvent::Hide || type == QEvent::LayoutRequest)) arrange();
     return QWidget::eventFilter(watched, event);
 }
 
@@ -57,9 +60,23 @@ void ViewArea::setHint(const QString& hint) {
     arrange();
 }
 
+void ViewArea::setChooser(QWidget* chooser) {
+    chooser_ = chooser;
+    chooser->setParent(this);
+    chooser->installEventFilter(this);
+    chooser->hide();
+}
+
+void ViewArea::showChooser(bool show) {
+    chooser_->setVisible(show);
+    arrange();
+}
+
 std::vector<QRectF> ViewArea::covered() const {
     std::vector<QRectF> places;
-    for (const QWidget* widget : {tools_, bar_, static_cast<QWidget*>(hint_)})
+    std::vector<const QWidget*> over{tools_, hint_, chooser_};
+    over.insert(over.end(), bars_.begin(), bars_.end());
+    for (const QWidget* widget : over)
         if (widget && !widget->isHidden()) places.emplace_back(widget->geometry());
     return places;
 }
@@ -80,14 +97,28 @@ void ViewArea::arrange() {
         tools_->raise();
     }
     int below = tools_ ? tools_->geometry().bottom() + 8 : 10;
-    if (bar_ && !bar_->isHidden()) {
-        bar_->adjustSize();
-        bar_->move(10, below);
-        bar_->raise();
-        below = bar_->geometry().bottom() + 8;
+    for (QWidget* bar : bars_) {
+        if (bar->isHidden()) continue;
+        bar->adjustSize();
+        bar->move(10, below);
+        bar->raise();
+        below = bar->geometry().bottom() + 8;
     }
-    hint_->adjustSize();
-    hint_->move(10, below);
+    int beside = 10;
+    if (chooser_ && !chooser_->isHidden()) {
+        chooser_->adjustSize();
+        chooser_->move(beside, below);
+        chooser_->raise();
+        beside = chooser_->geometry().right() + 9;
+    }
+    // One line each of what to do and of what came of it, broken only where the view is too narrow.
+    hint_->setWordWrap(false);
+    const int room = std::max(120, width() - beside - 10);
+    if (hint_->sizeHint().width() > room) hint_->setWordWrap(true);
+    const int wide = std::min(room, hint_->sizeHint().width());
+    hint_->resize(hint_->wordWrap() ? QSize(room, hint_->heightForWidth(room))
+                                    : QSize(wide, hint_->sizeHint().height()));
+    hint_->move(beside, below);
     hint_->raise();
     if (welcome_) {
         welcome_->setGeometry(rect());

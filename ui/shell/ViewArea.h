@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 class QLabel;
 
@@ -15,11 +16,14 @@ class ViewArea : public QWidget {
     explicit ViewArea(QWidget* parent = nullptr);
     void setView(QWidget* view);
     void setTools(QWidget* tools);
-    /// Stands below the tools while it is visible.
-    void setBar(QWidget* bar);
+    /// Stands below the tools, and the bars that were added before, while it is visible.
+    void addBar(QWidget* bar);
     void setWelcome(QWidget* welcome);
     void showWelcome(bool show);
     void setHint(const QString& hint);
+    /// Stands before the hint while the active tool needs it.
+    void setChooser(QWidget* chooser);
+    void showChooser(bool show);
     /// Where something stands over the view, in its pixels.
     std::vector<QRectF> covered() const;
 
@@ -36,8 +40,9 @@ class ViewArea : public QWidget {
 
     QWidget* view_ = nullptr;
     QWidget* tools_ = nullptr;
-    QWidget* bar_ = nullptr;
+    std::vector<QWidget*> bars_;
     QWidget* welcome_ = nullptr;
+    QWidget* chooser_ = nullptr;
     QLabel* hint_;
 };
 

@@ -2,28 +2,33 @@
 
 #include <QWidget>
 
-class QVBoxLayout;
+class QLabel;
+class QTreeWidget;
 
 namespace vestige {
 
 class ActionCatalog;
 class RecentFiles;
 
-/// What the view's place shows while the case is empty: what to do first, and what was open last.
+/// The start page, while no case is open: begin one, open one, or look at the sample; what was open last; and
+/// the way from files to a report.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
   public:
-    WelcomePage(const ActionCatalog& actions, const RecentFiles& recent, QWidget* parent = nullptr);
+    WelcomePage(const ActionCatalog& actions, RecentFiles& recent, QWidget* parent = nullptr);
 
   signals:
     void chosen(const QString& path);
 
   private:
+    QWidget* makeWay() const;
     void fillRecent();
+    void choose(const QString& path, bool exists);
 
-    const RecentFiles& recent_;
-    QVBoxLayout* list_;
+    RecentFiles& recent_;
+    QTreeWidget* list_;
+    QLabel* none_;
 };
 
 }  // namespace vestige

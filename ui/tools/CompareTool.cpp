@@ -19,9 +19,9 @@ CompareTool::CompareTool(Comparison& comparison, QObject* parent)
 
 bool CompareTool::onDivider(const SceneView& view, const QMouseEvent& event) const {
     if (comparison_.mode() != CompareMode::swipe) return false;
-    const QSize size = view.widget()->size();
-    const double off = std::abs(event.x() + 0.5 - comparison_.shown().divider * size.width());
-    const bool atHandle = std::abs(event.y() + 0.5 - 0.5 * size.height()) <= kHandle_px;
+    const ViewCamera camera = view.camera();
+    const double off = std::abs(event.x() + 0.5 - comparison_.shown().divider * camera.width_px);
+    const bool atHandle = std::abs(event.y() + 0.5 - 0.5 * camera.height_px) <= kHandle_px;
     return off <= (atHandle ? kHandle_px : kReach_px);
 }
 
@@ -32,7 +32,7 @@ bool CompareTool::mousePress(SceneView& view, const QMouseEvent& event) {
 
 bool CompareTool::mouseMove(SceneView& view, const QMouseEvent& event) {
     if (dragging_) {
-        comparison_.setDivider((event.x() + 0.5) / std::max(1, view.widget()->width()));
+        comparison_.setDivider((event.x() + 0.5) / std::max(1, view.camera().width_px));
         return true;
     }
     const bool over = event.buttons() == Qt::NoButton && onDivider(view, event);

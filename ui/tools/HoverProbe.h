@@ -21,7 +21,11 @@ class HoverProbe : public QObject {
   public:
     explicit HoverProbe(QObject* parent = nullptr);
     void moved(SceneView& view, const QMouseEvent& event);
+    /// Asks once more where the cursor rests: the picture under it has changed.
+    void again();
     void stop();
+    /// Where the last answer was asked for.
+    QPoint position() const { return position_; }
 
   signals:
     /// Nothing where no point is under the cursor.

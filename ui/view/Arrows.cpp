@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/view/Translated.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -73,8 +74,7 @@ void paintArrow(QPainter& painter, const ViewTheme& theme, const QRectF& picture
         for (const QPolygonF& one : heads) painter.drawPolygon(one);
     }
     painter.setBrush(Qt::NoBrush);
-    if (!arrow.label.empty())
-        paintLabel(painter, theme, picture, line, QString::fromStdString(arrow.label), taken);
+    if (!arrow.label.empty()) paintLabel(painter, theme, picture, line, translated(arrow.label), taken);
 }
 
 }  // namespace vestige

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/view/ClassColors.h"
 #include "ui/view/SampledRange.h"
 
 namespace vestige {
@@ -49,6 +50,14 @@ double roundedUp(double value) {
     return 10 * power;
 }
 
+/// From the values' own shares, or from what was typed.
+void setRange(ColorScale& scale, SampledRange& values, const ColorRange& range) {
+    const double cut = std::clamp(range.cut, 0.0, 0.4);
+    scale.low = range.low.value_or(values.quantile(cut));
+    scale.high = range.high.value_or(values.quantile(1 - cut));
+    if (scale.high - scale.low < 1e-6) scale.high = scale.low + 1;
+}
+
 std::optional<ColorScale> heightScale(const ViewDescription& view) {
     SampledRange heights;
     for (const ViewLayer& layer : view.layers) {
@@ -58,8 +67,33 @@ std::optional<ColorScale> heightScale(const ViewDescription& view) {
                        [&](std::size_t i) { return (layer.worldFromLayer * cloud.point(i)).z(); });
     }
     if (heights.empty()) return std::nullopt;
-    ColorScale scale{"Height", "m", heights.quantile(0.01), heights.quantile(0.99), 1, {}, view.theme};
-    if (scale.high - scale.low < 1e-6) scale.high = scale.low + 1;
+    ColorScale scale{"Height", "m", 0, 0, 1, {}, view.theme, false, view.coloring.map};
+    setRange(scale, heights, view.coloring.height_m);
+    return scale;
+}
+
+std::optional<ColorScale> intensityScale(const ViewDescription& view) {
+    SampledRange strengths;
+    int scans = 0;
+    for (const ViewLayer& layer : view.layers) {
+        if (!isDrawn(layer) || !layer.geometry) continue;
+        const auto& intensity = layer.geometry->vertices.attributes().intensity;
+        scans += !intensity.empty();
+        strengths.sample(intensity.size(), [&](std::size_t i) { return intensity[i]; });
+    }
+    // Scanners count on scales of their own: one for several only where it was typed.
+    const ColorRange& range = view.coloring.intensity;
+    if (strengths.empty() || (scans > 1 && !range.low && !range.high)) return std::nullopt;
+    ColorScale scale{"Intensity", "as recorded", 0, 0, 1, {}, view.theme, false, ColorMap::grey};
+    scale.power = 0.5;
+    setRange(scale, strengths, range);
+    return scale;
+}
+
+std::optional<ColorScale> classScale(const ViewDescription& view) {
+    ColorScale scale{"Class", "", 0, 1, 1, {}, view.theme};
+    scale.classes = classesShown(view);
+    if (scale.classes.empty()) return std::nullopt;
     return scale;
 }
 
@@ -76,7 +110,7 @@ std::optional<ColorScale> residualScale(const ViewDescription& view) {
             deviations.sample(layer.residual_m->size(),
                               [&](std::size_t i) { return std::abs((*layer.residual_m)[i] - median); });
     const double noise = 1.4826 * deviations.quantile(0.5);
-    const double reach = roundedUp(std::max(1e-4, 3 * noise));
+    const double reach = std::max(1e-6, view.coloring.reach_m.value_or(roundedUp(std::max(1e-4, 3 * noise))));
     const bool metres = reach >= 1;
     return ColorScale{"Distance to the target's surface",
                       metres ? "m" : "mm",
@@ -84,34 +118,24 @@ std::optional<ColorScale> residualScale(const ViewDescription& view) {
                       reach,
                       metres ? 1.0 : 1000.0,
                       noise,
-                      view.theme};
+                      view.theme,
+                      view.coloring.reach_m.has_value()};
 }
 
 constexpr Rgb kTargetTints[] = {{142, 170, 200}, {86, 108, 134}};
 constexpr std::array<Rgb, 4> kSourceTints[] = {
     {{{244, 154, 52}, {232, 104, 124}, {190, 140, 240}, {120, 205, 130}}},
     {{{214, 106, 0}, {190, 40, 92}, {124, 66, 190}, {20, 122, 70}}}};
-/// A brighter tint would be lost on white.
-constexpr double kBrightestOnLight = 132;
-
 std::size_t place(Theme theme) {
     return theme == Theme::light ? 1 : 0;
-}
-
-Rgb ownTint(const Rgb& tint, Theme theme) {
-    const double brightness = 0.2126 * tint[0] + 0.7152 * tint[1] + 0.0722 * tint[2];
-    if (theme == Theme::dark || brightness <= kBrightestOnLight) return tint;
-    Rgb darker = tint;
-    for (std::uint8_t& part : darker)
-        part = static_cast<std::uint8_t>(std::lround(part * kBrightestOnLight / brightness));
-    return darker;
 }
 
 }  // namespace
 
 Rgb ColorScale::at(double value) const {
     if (noise) return differenceColor(value / high, theme);
-    return heightColor((value - low) / (high - low), theme);
+    const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
+    return mapColor(map, power == 1 ? share : std::pow(share, power), theme);
 }
 
 Rgb heightColor(double share, Theme theme) {
@@ -136,9 +160,24 @@ Rgb neutralColor(Theme theme) {
     return theme == Theme::light ? Rgb{198, 204, 211} : Rgb{66, 74, 84};
 }
 
+Rgb selectionColor(Theme theme) {
+    return theme == Theme::light ? Rgb{196, 0, 136} : Rgb{255, 72, 196};
+}
+
 std::optional<ColorScale> colorScale(const ViewDescription& view) {
     if (view.overlay == Overlay::residual) return residualScale(view);
-    if (view.overlay == Overlay::none && view.colorMode == ColorMode::height) return heightScale(view);
+    if (view.overlay != Overlay::none) return std::nullopt;
+    switch (view.colorMode) {
+        case ColorMode::height:
+            return heightScale(view);
+        case ColorMode::intensity:
+            return intensityScale(view);
+        case ColorMode::classification:
+            return classScale(view);
+        case ColorMode::rgb:
+        case ColorMode::source:
+            break;
+    }
     return std::nullopt;
 }
 
@@ -150,7 +189,7 @@ std::size_t targetLayer(const ViewDescription& view) {
 
 Rgb layerTint(const ViewDescription& view, std::size_t layer) {
     const std::size_t theme = place(view.theme);
-    if (view.overlay != Overlay::registration) return ownTint(view.layers[layer].tint, view.theme);
+    if (view.overlay != Overlay::registration) return onTheme(view.layers[layer].tint, view.theme);
     const std::size_t target = targetLayer(view);
     if (layer == target) return kTargetTints[theme];
     return kSourceTints[theme][(layer - (layer > target ? 1 : 0)) % kSourceTints[theme].size()];

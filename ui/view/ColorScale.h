@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "core/pipeline/ViewRenderer.h"
+#include "ui/view/ColorMaps.h"
 
 namespace vestige {
-
-using Rgb = std::array<std::uint8_t, 3>;
 
 /// The colours of a value from `low` to `high`, drawn as a bar in the legend.
 struct ColorScale {
@@ -21,6 +19,10 @@ struct ColorScale {
     std::optional<double>
         noise;  ///< of signed distances: their spread, 1 sigma; the colours run from -high to high
     Theme theme = Theme::dark;
+    bool typed = false;  ///< signed distances: the reach is not from their spread
+    ColorMap map = ColorMap::even;
+    double power = 1;  ///< of the share, before it becomes a colour: 0.5 tells dark values apart
+    std::vector<std::uint8_t> classes{};  ///< in the place of a bar: the point classes that are drawn
     Rgb at(double value) const;
 };
 
@@ -34,6 +36,9 @@ Rgb differenceColor(double share, Theme theme = Theme::dark);
 Rgb uncomparedColor(Theme theme);
 /// What is only there to show where the rest is.
 Rgb neutralColor(Theme theme);
+
+/// Of points that are selected: a magenta that no scale and no tint comes near.
+Rgb selectionColor(Theme theme);
 
 /// What the colours of a description mean; nothing for rgb, source, intensity and the overlay `registration`.
 /// Heights reach from the 1 % to the 99 % value of the visible layers, so that stray points do not flatten

@@ -6,62 +6,13 @@
 #include <optional>
 
 #include "ui/view/LabelPlaces.h"
+#include "ui/view/SeenLine.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
 namespace {
 
-/// The part of a mark that lies before the camera, in pixels.
-struct Segment {
-    QPointF a;
-    QPointF b;
-    bool aShown = true;
-    bool bShown = true;
-};
-
-std::optional<Segment> projected(const ViewCamera& camera, const ViewMark& mark) {
-    Eigen::Vector3d a = mark.a;
-    Eigen::Vector3d b = mark.b;
-    Segment segment;
-    if (!camera.parallel) {
-        const double closest = 1e-3;
-        const double depthA = (a - camera.position).dot(camera.direction());
-        const double depthB = (b - camera.position).dot(camera.direction());
-        if (depthA < closest && depthB < closest) return std::nullopt;
-        segment.aShown = depthA >= closest;
-        segment.bShown = depthB >= closest;
-        if (!segment.aShown) a += (b - a) * (closest - depthA) / (depthB - depthA);
-        if (!segment.bShown) b += (a - b) * (closest - depthB) / (depthA - depthB);
-    }
-    const auto atA = camera.project(a);
-    const auto atB = camera.project(b);
-    if (!atA || !atB) return std::nullopt;
-    segment.a = {atA->pixel.x(), atA->pixel.y()};
-    segment.b = {atB->pixel.x(), atB->pixel.y()};
-    return segment;
-}
-
-/// The part inside the picture (Liang and Barsky); nothing when the line misses it.
-std::optional<Segment> cropped(const Segment& whole, const QRectF& box) {
-    double from = 0;
-    double to = 1;
-    const QPointF step = whole.b - whole.a;
-    const auto cut = [&](double along, double room) {
-        if (along == 0) return room >= 0;
-        if (along < 0)
-            from = std::max(from, room / along);
-        else
-            to = std::min(to, room / along);
-        return from <= to;
-    };
-    if (!cut(-step.x(), whole.a.x() - box.left()) || !cut(step.x(), box.right() - whole.a.x()) ||
-        !cut(-step.y(), whole.a.y() - box.top()) || !cut(step.y(), box.bottom() - whole.a.y()))
-        return std::nullopt;
-    return Segment{whole.a + from * step, whole.a + to * step, whole.aShown && from == 0,
-                   whole.bShown && to == 1};
-}
-
-void paintLine(QPainter& painter, const ViewTheme& theme, const Segment& line, const PaintedMark& mark) {
+void paintLine(QPainter& painter, const ViewTheme& theme, const SeenLine& line, const PaintedMark& mark) {
     const double width = mark.mark.highlighted ? 2.4 : 1.8;
     painter.setPen(QPen(theme.casing, width + 2.4, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(line.a, line.b);
@@ -96,7 +47,7 @@ QString nameOf(const PaintedMark& mark) {
     return QString::fromStdString(mark.mark.name);
 }
 
-LabelWish wishOf(const Fonts& fonts, const PaintedMark& mark, const Segment& line) {
+LabelWish wishOf(const Fonts& fonts, const PaintedMark& mark, const SeenLine& line) {
     LabelWish wish{QLineF(line.a, line.b), {}, {}, mark.pending || mark.mark.highlighted, mark.pending};
     if (mark.mark.label.empty()) return wish;
     const QString length = QString::fromStdString(mark.mark.label);
@@ -137,9 +88,9 @@ void paintLeader(QPainter& painter, const ViewTheme& theme, const QLineF& leader
 std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const QRectF& picture,
                                const ViewCamera& camera, const std::vector<PaintedMark>& marks,
                                std::vector<QRectF> taken) {
-    std::vector<std::pair<const PaintedMark*, Segment>> shown;
+    std::vector<std::pair<const PaintedMark*, SeenLine>> shown;
     for (const PaintedMark& mark : marks)
-        if (const auto line = projected(camera, mark.mark))
+        if (const auto line = seenLine(camera, mark.mark.a, mark.mark.b))
             if (const auto part = cropped(*line, picture)) shown.emplace_back(&mark, *part);
     // Those that must be told choose their places first and are painted last.
     std::stable_sort(shown.begin(), shown.end(), [](const auto& one, const auto& other) {
@@ -155,6 +106,7 @@ std::vector<QRectF> paintMarks(QPainter& painter, const ViewTheme& theme, const 
             paintLeader(painter, theme, *places[i]->leader, shown[i].first->mark.highlighted);
     for (std::size_t i = shown.size(); i-- > 0;) {
         const auto& [mark, line] = shown[i];
+        if (mark->labelOnly) continue;
         paintLine(painter, theme, line, *mark);
         if (line.aShown) paintEnd(painter, theme, line.a, *mark);
         if (line.bShown) paintEnd(painter, theme, line.b, *mark);

@@ -13,7 +13,8 @@ struct ViewTheme;
 
 struct PaintedMark {
     ViewMark mark;
-    bool pending = false;  ///< still being picked: dashed
+    bool pending = false;    ///< still being picked: dashed
+    bool labelOnly = false;  ///< its line is part of a path that is painted already
 };
 
 /// Paints measured pairs on top of everything: line, ends, and the length in a label that keeps clear of the

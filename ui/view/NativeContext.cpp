@@ -1,7 +1,7 @@
-#include <QVTKOpenGLNativeWidget.h>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
+#include "ui/view/NativeFormat.h"
 #include "ui/view/PictureRenderer.h"
 
 namespace vestige {
@@ -10,7 +10,7 @@ namespace {
 class NativeContext : public GlContext {
   public:
     bool create() {
-        const QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+        const QSurfaceFormat format = nativeFormat();
         context_.setFormat(format);
         surface_.setFormat(format);
         surface_.create();

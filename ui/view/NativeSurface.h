@@ -6,7 +6,7 @@ class QSurfaceFormat;
 
 namespace vestige {
 
-/// Surfaces of the desktop program: VTK's QVTKOpenGLNativeWidget.
+/// Surfaces of the desktop program: a QOpenGLWidget.
 ViewSurfaceFactory nativeSurface();
 
 /// Call once before the QApplication is made: the OpenGL format that VTK needs.

@@ -53,17 +53,26 @@ void OffscreenWindow::resize(const QSize& pixels) {
     d_->window->SetSize(pixels.width(), pixels.height());
 }
 
-QImage OffscreenWindow::draw() {
+void OffscreenWindow::render() {
+    d_->window->Render();
+    d_->window->WaitForCompletion();
+}
+
+QImage OffscreenWindow::draw(bool withCover) {
     d_->window->Render();
     const int* size = d_->window->GetSize();
-    QImage picture(size[0], size[1], QImage::Format_RGBA8888);
+    QImage picture(size[0], size[1], QImage::Format_RGBA8888_Premultiplied);
     const std::unique_ptr<unsigned char[]> pixels(
         d_->window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0));
     if (!pixels) return {};
     const qsizetype row = qsizetype{4} * size[0];
     for (int y = 0; y < size[1]; ++y)
         std::copy_n(pixels.get() + row * (size[1] - 1 - y), row, picture.scanLine(y));
-    return picture.convertToFormat(QImage::Format_RGB32);
+    if (withCover) return picture.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    // What the window leaves there is not to become part of the colours.
+    return std::move(picture)
+        .convertToFormat(QImage::Format_ARGB32_Premultiplied)
+        .convertToFormat(QImage::Format_RGB32);
 }
 
 }  // namespace vestige

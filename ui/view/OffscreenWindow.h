@@ -18,8 +18,10 @@ class OffscreenWindow {
 
     vtkRenderWindow& renderWindow();
     void resize(const QSize& pixels);
-    /// Draws the window's renderers and reads the picture back; opaque.
-    QImage draw();
+    /// Draws the window's renderers.
+    void render();
+    /// The same, and reads the picture back; opaque unless `withCover`, which keeps where nothing is.
+    QImage draw(bool withCover = false);
 
   private:
     struct Private;

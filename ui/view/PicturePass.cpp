@@ -37,6 +37,8 @@ uniform float darkest;
 uniform float faint;       // of the other picture in a tile that has nothing there
 uniform vec3 top;
 uniform vec3 bottom;
+uniform vec2 band;         // shares of the whole picture's height
+uniform int transparent;
 
 bool fromOther() {
     vec2 tiles = floor(vec2(texCoord.x, 1.0 - texCoord.y) / (tile * pixel));
@@ -72,7 +74,8 @@ float nearer(bool other, vec2 aside, float here, float unit) {
 void main() {
     bool other = fromOther();
     float d = depthAt(other, texCoord);
-    vec3 shown = mix(bottom, top, texCoord.y);
+    vec3 shown = mix(bottom, top, mix(band.x, band.y, texCoord.y));
+    float cover = transparent == 1 && d >= 1.0 ? 0.0 : 1.0;
     if (d < 1.0)
         shown = colorAt(other);
     else if (mixing == 3 && depthAt(!other, texCoord) < 1.0 && emptyAround(other))
@@ -87,7 +90,7 @@ void main() {
                      + nearer(other, vec2(-2.0, -2.0), here, unit);
         shown *= max(darkest, exp(-shade * behind));
     }
-    gl_FragData[0] = vec4(shown, 1.0);
+    gl_FragData[0] = vec4(shown * cover, cover);
 }
 )";
 
@@ -102,9 +105,15 @@ PicturePass* PicturePass::New() {
 PicturePass::PicturePass() = default;
 PicturePass::~PicturePass() = default;
 
-void PicturePass::setBackground(const Eigen::Vector3f& top, const Eigen::Vector3f& bottom) {
+void PicturePass::setBackground(const Eigen::Vector3f& top, const Eigen::Vector3f& bottom, bool transparent) {
     top_ = top;
     bottom_ = bottom;
+    transparent_ = transparent;
+}
+
+void PicturePass::setBand(float low, float high) {
+    bandLow_ = low;
+    bandHigh_ = high;
 }
 
 void PicturePass::setMix(Mix mix, float divider, int tile_px) {
@@ -174,7 +183,7 @@ void PicturePass::addProps(const vtkRenderState& state, int index) {
     gl->PopFramebufferBindings();
 }
 
-void PicturePass::show(const vtkRenderState& state) {
+void PicturePass::show(const vtkRenderState& state, int left, int low) {
     vtkRenderer* renderer = state.GetRenderer();
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     auto* gl = window->GetState();
@@ -219,8 +228,11 @@ void PicturePass::show(const vtkRenderState& state) {
     program->SetUniformf("faint", kFaint);
     program->SetUniform3f("top", top_.data());
     program->SetUniform3f("bottom", bottom_.data());
-    gl->vtkglViewport(0, 0, width_, height_);
-    gl->vtkglScissor(0, 0, width_, height_);
+    const float band[2] = {bandLow_, bandHigh_};
+    program->SetUniform2f("band", band);
+    program->SetUniformi("transparent", transparent_);
+    gl->vtkglViewport(left, low, width_, height_);
+    gl->vtkglScissor(left, low, width_, height_);
     gl->vtkglDisable(GL_DEPTH_TEST);
     gl->vtkglDisable(GL_BLEND);
     quad_->Render();
@@ -244,7 +256,7 @@ void PicturePass::Render(const vtkRenderState* state) {
     NumberOfRenderedProps = 0;
     for (int i = 0; i < (compares() ? 2 : 1); ++i) addProps(*state, i);
     empty_ = false;
-    show(*state);
+    show(*state, left, low);
 }
 
 void PicturePass::ReleaseGraphicsResources(vtkWindow* window) {

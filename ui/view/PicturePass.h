@@ -44,7 +44,11 @@ class PicturePass : public vtkRenderPass {
     /// Called when the window's graphics resources are given back, with its context current, for what the
     /// props have together.
     void setRelease(std::function<void()> release) { release_ = std::move(release); }
-    void setBackground(const Eigen::Vector3f& top, const Eigen::Vector3f& bottom);
+    /// From the top of the window to its bottom; `transparent`: none, and the picture says where nothing is.
+    void setBackground(const Eigen::Vector3f& top, const Eigen::Vector3f& bottom, bool transparent = false);
+    /// The picture is a part of a larger one: where its lower and upper edge lie in that, as shares of its
+    /// height.
+    void setBand(float low, float high);
 
     void Render(const vtkRenderState* state) override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -61,7 +65,7 @@ class PicturePass : public vtkRenderPass {
         void fit(vtkOpenGLRenderWindow& window, int width, int height);
     };
     void addProps(const vtkRenderState& state, int index);
-    void show(const vtkRenderState& state);
+    void show(const vtkRenderState& state, int left, int low);
 
     vtkNew<vtkRenderStepsPass> steps_;
     vtkNew<vtkOpenGLFramebufferObject> framebuffer_;
@@ -74,6 +78,9 @@ class PicturePass : public vtkRenderPass {
     std::unique_ptr<vtkOpenGLQuadHelper> quad_;
     Eigen::Vector3f top_ = {0.06F, 0.08F, 0.1F};
     Eigen::Vector3f bottom_ = {0.04F, 0.05F, 0.06F};
+    float bandLow_ = 0;
+    float bandHigh_ = 1;
+    bool transparent_ = false;
     int width_ = 0;
     int height_ = 0;
     bool empty_ = true;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/Parallel.h"
+#include "ui/view/ClassColors.h"
 #include "ui/view/SampledRange.h"
 
 namespace vestige {
@@ -82,13 +83,33 @@ PointPainter tinted(const Geometry& geometry, const Rgb& tint) {
         [brightness, tint](std::size_t i) { return scaled(tint, 0.55 + 0.55 * brightness.at(i)); });
 }
 
-PointPainter byIntensity(const Geometry& geometry, const Rgb& tint) {
+/// By the layer's own range of intensities.
+PointPainter byOwnIntensity(const Geometry& geometry, const Rgb& tint, Theme theme) {
     const Brightness brightness(geometry);
-    if (geometry->vertices.attributes().intensity.empty() || !brightness.known())
-        return tinted(geometry, tint);
-    return painter([brightness](std::size_t i) {
-        const auto grey = static_cast<std::uint8_t>(std::lround(48 + 200 * std::sqrt(brightness.at(i))));
-        return Rgb{grey, grey, grey};
+    if (!brightness.known()) return tinted(geometry, tint);
+    const auto steps = table([&](double share) { return mapColor(ColorMap::grey, std::sqrt(share), theme); });
+    return painter(
+        [brightness, steps, tint](std::size_t i) { return lookUp(steps, brightness.at(i), tint); });
+}
+
+PointPainter byIntensity(const Geometry& geometry, const Rgb& tint, const std::optional<ColorScale>& scale,
+                         Theme theme) {
+    if (geometry->vertices.attributes().intensity.empty()) return tinted(geometry, tint);
+    if (!scale) return byOwnIntensity(geometry, tint, theme);
+    const auto steps =
+        table([&](double share) { return mapColor(ColorMap::grey, std::pow(share, scale->power), theme); });
+    return painter([geometry, steps, tint, low = scale->low, span = scale->high - scale->low](std::size_t i) {
+        return lookUp(steps, (geometry->vertices.attributes().intensity[i] - low) / span, tint);
+    });
+}
+
+PointPainter byClass(const Geometry& geometry, const Rgb& tint, Theme theme) {
+    if (geometry->vertices.attributes().classification.empty()) return tinted(geometry, tint);
+    std::array<Rgb, 256> colors;
+    for (std::size_t code = 0; code < colors.size(); ++code)
+        colors[code] = classColor(static_cast<std::uint8_t>(code), theme);
+    return painter([geometry, colors](std::size_t i) {
+        return colors[geometry->vertices.attributes().classification[i]];
     });
 }
 
@@ -102,7 +123,7 @@ PointPainter byColor(const Geometry& geometry, const Rgb& tint) {
 }
 
 PointPainter byHeight(const ViewLayer& layer, const ColorScale& scale) {
-    const auto steps = table([&](double share) { return heightColor(share, scale.theme); });
+    const auto steps = table([&](double share) { return mapColor(scale.map, share, scale.theme); });
     const Rgb neutral = neutralColor(scale.theme);
     return painter([geometry = layer.geometry, place = layer.worldFromLayer, steps, neutral, low = scale.low,
                     span = scale.high - scale.low](std::size_t i) {
@@ -118,9 +139,7 @@ PointPainter byResidual(const ViewLayer& layer, const ColorScale& scale) {
     });
 }
 
-}  // namespace
-
-PointPainter pointPainter(const ViewDescription& view, std::size_t index,
+PointPainter plainPainter(const ViewDescription& view, std::size_t index,
                           const std::optional<ColorScale>& scale) {
     const ViewLayer& layer = view.layers[index];
     const std::size_t points = layer.geometry->vertices.size();
@@ -136,13 +155,33 @@ PointPainter pointPainter(const ViewDescription& view, std::size_t index,
             if (scale) return byHeight(layer, *scale);
             break;
         case ColorMode::intensity:
-            return byIntensity(layer.geometry, tint);
+            return byIntensity(layer.geometry, tint, scale, view.theme);
+        case ColorMode::classification:
+            return byClass(layer.geometry, tint, view.theme);
         case ColorMode::rgb:
             return byColor(layer.geometry, tint);
         case ColorMode::source:
             break;
     }
     return tinted(layer.geometry, tint);
+}
+
+}  // namespace
+
+PointPainter pointPainter(const ViewDescription& view, std::size_t index,
+                          const std::optional<ColorScale>& scale) {
+    const ViewLayer& layer = view.layers[index];
+    PointPainter plain = plainPainter(view, index, scale);
+    const std::size_t points = layer.geometry->vertices.size();
+    const auto usable = [&](const auto& flags) { return flags && flags->size() == points ? flags : nullptr; };
+    const auto selected = usable(layer.selected);
+    const auto hidden = usable(layer.hidden);
+    if (!selected && !hidden) return plain;
+    return [plain = std::move(plain), selected, hidden, color = selectionColor(view.theme)](std::size_t i) {
+        if (hidden && (*hidden)[i]) return Rgba{0, 0, 0, 0};
+        if (selected && (*selected)[i]) return Rgba{color[0], color[1], color[2], 255};
+        return plain(i);
+    };
 }
 
 std::vector<Rgba> pointColors(const ViewDescription& view, std::size_t index,

@@ -11,6 +11,7 @@
 #include <vtkShaderProgram.h>
 #include <vtk_glew.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,9 +32,24 @@ uniform float spacing;    // pixels between neighbours, times depth in perspecti
 uniform float pull;       // how much nearer to the camera, m
 uniform vec2 range;       // near and far plane, m
 uniform int parallel;
+uniform float reference;  // depth at which points have their size, m; 0: everywhere
+uniform vec4 clips[6];
+uniform int clipCount;
 void main() {
     color = paint;
-    gl_Position = clipFromDisplay * (motion * vec4(place, 1.0));
+    vec4 moved = motion * vec4(place, 1.0);
+    for (int i = 0; i < clipCount; ++i) {
+        if (dot(clips[i], moved) < 0.0) {
+            gl_Position = vec4(2.0, 2.0, 2.0, 1.0);   // outside of every picture
+            gl_PointSize = 1.0;
+            size = 1.0;
+            return;
+        }
+    }
+    gl_Position = clipFromDisplay * moved;
+    float here = pointSize;
+    if (reference > 0.0 && gl_Position.w > 0.0)
+        here = clamp(pointSize * reference / gl_Position.w, min(1.0, pointSize), 4.0 * pointSize);
     if (parallel == 1) {
         gl_Position.z -= 2.0 * pull / (range.y - range.x);
     } else if (pull > 0.0 && gl_Position.w > range.x) {
@@ -42,7 +58,7 @@ void main() {
         float nearer = min(pull, 0.9 * (gl_Position.w - range.x));
         gl_Position.z += b * nearer / (gl_Position.w - nearer);
     }
-    size = clamp(spacing / gl_Position.w, pointSize, 2.5 * pointSize);
+    size = clamp(spacing / gl_Position.w, here, 2.5 * here);
     gl_PointSize = size;
 }
 )";
@@ -52,6 +68,7 @@ constexpr const char* kFragmentShader = R"(//VTK::System::Dec
 in vec4 color;
 flat in float size;
 void main() {
+    if (color.a < 0.5) discard;  // hidden
     vec2 aside = gl_PointCoord - vec2(0.5);
     if (size >= 3.0 && dot(aside, aside) > 0.25) discard;   // round, once that shows
     gl_FragData[0] = color;
@@ -59,6 +76,7 @@ void main() {
 )";
 
 constexpr std::size_t kPagesAtOnce = 8;  // for a thread
+constexpr std::size_t kMostClips = 6;
 
 struct PageRange {
     std::uint32_t first;
@@ -214,6 +232,13 @@ void PointProp::setUniforms(vtkShaderProgram& program, vtkRenderer& renderer) co
     program.SetUniformi("parallel", camera->GetParallelProjection() != 0);
     program.SetUniformf("pull", static_cast<float>(pull_m_));
     program.SetUniformf("pointSize", static_cast<float>(pointSize_));
+    const bool byDistance = sizeByDistance_ && camera->GetParallelProjection() == 0;
+    program.SetUniformf("reference", byDistance ? static_cast<float>(camera->GetDistance()) : 0.0F);
+    float clips[kMostClips][4] = {};
+    const std::size_t count = std::min(clips_.size(), kMostClips);
+    for (std::size_t i = 0; i < count; ++i) std::copy_n(clips_[i].data(), 4, clips[i]);
+    program.SetUniform4fv("clips", static_cast<int>(kMostClips), clips);
+    program.SetUniformi("clipCount", static_cast<int>(count));
     program.SetUniformf("spacing",
                         static_cast<float>(blocks_.spacing_m() * 0.5 * renderer.GetSize()[1] / halfHeight));
 }
@@ -251,7 +276,7 @@ int PointProp::RenderOpaqueGeometry(vtkViewport* viewport) {
 
 void PointProp::ReleaseGraphicsResources(vtkWindow* window) {
     // VTK calls this when the prop is removed, too, and the store has the other layers' pages.
-    if (store_) store_->drop(places_);
+    if (store_ && !keepPages_) store_->drop(places_);
     Superclass::ReleaseGraphicsResources(window);
 }
 

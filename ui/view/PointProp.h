@@ -37,6 +37,14 @@ class PointProp : public vtkProp {
     /// Draws the points as if they lay this much nearer to the camera: over what they coincide with.
     void setPull(double metres) { pull_m_ = metres; }
 
+    /// In perspective points at the camera's focal point have the size set, nearer ones are larger, farther
+    /// ones smaller.
+    void setSizeByDistance(bool on) { sizeByDistance_ = on; }
+
+    /// Half spaces of the display frame, normal and distance, of which each point must lie in all; six at
+    /// most.
+    void setClips(std::vector<Eigen::Vector4f> clips) { clips_ = std::move(clips); }
+
     /// Moves the points from where setPoints() has them, in the display frame.
     void setMotion(const Eigen::Matrix4f& motion) { motion_ = motion; }
 
@@ -62,6 +70,9 @@ class PointProp : public vtkProp {
     };
     /// Makes these pages and puts them into the store, while it has room; false when it had none for some.
     bool bring(const std::vector<Page>& pages);
+
+    /// While on, giving back one renderer's resources leaves the points on the card, for the others.
+    void keepPages(bool on) { keepPages_ = on; }
 
     double* GetBounds() override { return bounds_; }
     int RenderOpaqueGeometry(vtkViewport* viewport) override;
@@ -91,8 +102,11 @@ class PointProp : public vtkProp {
     double from_ = 0;
     double to_ = 1;
     bool whole_ = true;
+    bool keepPages_ = false;
     double pointSize_ = 2;
     double pull_m_ = 0;
+    bool sizeByDistance_ = false;
+    std::vector<Eigen::Vector4f> clips_;
     Eigen::Matrix4f motion_ = Eigen::Matrix4f::Identity();
     double bounds_[6] = {-1, 1, -1, 1, -1, 1};
 };

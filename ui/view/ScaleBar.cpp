@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/view/Translated.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -10,14 +11,14 @@ namespace {
 
 constexpr double kPadding = 10;
 
-QString lengthText(double metres) {
+}  // namespace
+
+QString lengthInWords(double metres) {
     if (metres >= 1000) return QStringLiteral("%1 km").arg(metres / 1000, 0, 'g', 4);
     if (metres >= 1) return QStringLiteral("%1 m").arg(metres, 0, 'g', 4);
     if (metres >= 0.01) return QStringLiteral("%1 cm").arg(metres * 100, 0, 'g', 4);
     return QStringLiteral("%1 mm").arg(metres * 1000, 0, 'g', 4);
 }
-
-}  // namespace
 
 double scaleBarLength(double most_m) {
     const double power = std::pow(10, std::floor(std::log10(most_m)));
@@ -27,17 +28,19 @@ double scaleBarLength(double most_m) {
 }
 
 QRectF paintScaleBar(QPainter& painter, const ViewTheme& theme, const QRectF& inside,
-                     const ViewCamera& camera) {
+                     const ViewCamera& camera, const QStringList& notes) {
     const double depth = (camera.focalPoint - camera.position).dot(camera.direction());
     const double metresPerPixel = camera.metresPerPixel(depth);
     if (!(metresPerPixel > 0) || !std::isfinite(metresPerPixel)) return {};
     const double length = scaleBarLength(std::min(190.0, 0.3 * inside.width()) * metresPerPixel);
     const double width = length / metresPerPixel;
     painter.setFont(theme.font(11));
-    const QString where = camera.parallel ? QString() : QStringLiteral("at the view's centre");
-    const double whereWidth = camera.parallel ? 0 : painter.fontMetrics().horizontalAdvance(where) + 8;
+    QStringList words = notes;
+    if (!camera.parallel) words.prepend(translated("at the view's centre"));
+    const QString where = words.join(QStringLiteral("   "));
+    const double whereWidth = where.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(where) + 8;
     painter.setFont(theme.font(12, true));
-    const QString text = lengthText(length);
+    const QString text = lengthInWords(length);
     const double textWidth = painter.fontMetrics().horizontalAdvance(text);
     const double content = std::max(width, textWidth + whereWidth);
     const QRectF panel(inside.left(), inside.bottom() - 40, content + 2 * kPadding, 40);

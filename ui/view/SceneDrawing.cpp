@@ -1,20 +1,23 @@
 #include "ui/view/SceneDrawing.h"
 
 #include <vtkActor.h>
-#include <vtkCullerCollection.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
+#include <vtkPlane.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 
+#include <QRectF>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "core/pipeline/FrameView.h"
 #include "ui/view/MeshActor.h"
-#include "ui/view/PicturePass.h"
+#include "ui/view/PaneDrawing.h"
 #include "ui/view/PointColors.h"
 #include "ui/view/PointProp.h"
 #include "ui/view/PointStore.h"
@@ -34,6 +37,8 @@ struct ColorKey {
     double low;
     double high;
     std::optional<std::array<double, 16>> pose;  ///< where colours are by height
+    std::shared_ptr<const std::vector<std::uint8_t>> selected;
+    std::shared_ptr<const std::vector<std::uint8_t>> hidden;
     bool operator==(const ColorKey&) const = default;
 };
 
@@ -81,13 +86,12 @@ struct SceneDrawing::Private {
     vtkRenderWindow& window;
     std::shared_ptr<PointStore> store;
     std::size_t wholeBelow;
-    vtkNew<vtkOpenGLRenderer> renderer;
-    vtkNew<PicturePass> pass;
+    std::vector<std::unique_ptr<PaneDrawing>> panes;
+    std::size_t used = 0;  ///< of the panes
+    std::optional<SectionBox> section;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world; of everything in the VTK scene
     std::vector<Drawn> layers;                         ///< as in the description
     std::optional<ColorScale> scale;
-    double share = 0;
-    std::size_t wanted = 0;
     bool compares = false;
 
     Private(vtkRenderWindow& shown, std::size_t mostHeld, std::size_t whole)
@@ -109,11 +113,20 @@ struct SceneDrawing::Private {
                nearOrigin(drawn.box.transformed(motion));
     }
 
-    /// Moves what a prop shows to where it lies in one of the two pictures.
-    bool prepare(vtkProp& prop, int picture) {
+    PaneDrawing& pane() { return *panes[used]; }
+
+    /// Moves what a prop shows to where it lies in one of the two pictures, and sets how much of it a pane
+    /// draws.
+    bool prepare(vtkProp& prop, int picture, const PaneDrawing& pane) {
+        if (&prop == &const_cast<PaneDrawing&>(pane).grid.actor()) return pane.meshes;
         const auto found = std::find_if(layers.begin(), layers.end(),
                                         [&](const Drawn& drawn) { return drawn.prop() == &prop; });
         if (found == layers.end() || !found->sides[picture].visible) return false;
+        if (found->mesh && !pane.meshes) return false;
+        if (found->points) {
+            setWanted(pane, static_cast<std::size_t>(found - layers.begin()));
+            found->points->setPart(pane.from, pane.to, pane.whole);
+        }
         const Similarity motion = found->motion(picture);
         Eigen::Matrix4d display = Eigen::Matrix4d::Identity();
         display.topLeftCorner<3, 3>() = motion.scale * motion.pose.linear();
@@ -144,7 +157,8 @@ struct SceneDrawing::Private {
     }
 
     void remove(const Drawn& drawn) {
-        if (drawn.prop()) renderer->RemoveViewProp(drawn.prop());
+        if (!drawn.prop()) return;
+        for (const auto& pane : panes) pane->renderer->RemoveViewProp(drawn.prop());
     }
 
     Drawn add(const ViewLayer& layer) {
@@ -163,7 +177,7 @@ struct SceneDrawing::Private {
             drawn.points->setPoints(cloud, PointBlocks(std::move(octree), layer.worldFromLayer),
                                     layer.worldFromLayer, origin, store);
         }
-        renderer->AddViewProp(drawn.prop());
+        for (const auto& pane : panes) pane->renderer->AddViewProp(drawn.prop());
         return drawn;
     }
 
@@ -176,15 +190,16 @@ struct SceneDrawing::Private {
 
     void color(Drawn& drawn, const ViewDescription& view, std::size_t index) {
         const ViewLayer& layer = view.layers[index];
-        const ColorKey key{
-            view.colorMode,
-            view.overlay,
-            view.theme,
-            layerTint(view, index),
-            layer.residual_m,
-            scale ? scale->low : 0,
-            scale ? scale->high : 0,
-            byHeight(view) ? std::optional(rowMajor(layer.worldFromLayer.pose)) : std::nullopt};
+        const ColorKey key{view.colorMode,
+                           view.overlay,
+                           view.theme,
+                           layerTint(view, index),
+                           layer.residual_m,
+                           scale ? scale->low : 0,
+                           scale ? scale->high : 0,
+                           byHeight(view) ? std::optional(rowMajor(layer.worldFromLayer.pose)) : std::nullopt,
+                           layer.selected,
+                           layer.hidden};
         if (drawn.colors == key) return;
         drawn.colors = key;
         if (drawn.mesh) return setVertexColors(*drawn.mesh, pointColors(view, index, scale));
@@ -223,32 +238,118 @@ struct SceneDrawing::Private {
         }
     }
 
-    void setParts(double from, double to, bool whole, bool meshes) {
-        for (const Drawn& drawn : layers) {
-            if (drawn.points) drawn.points->setPart(from, to, whole);
-            if (drawn.mesh) drawn.mesh->SetVisibility(meshes && drawn.visible);
+    void setWanted(const PaneDrawing& pane, std::size_t layer) {
+        PointProp& points = *layers[layer].points;
+        if (layer < pane.wanted.size() && pane.wanted[layer].size() == points.blocks().size())
+            points.setWanted(pane.wanted[layer]);
+        else
+            points.setWanted(std::vector<std::uint32_t>(points.blocks().size(), 0));
+    }
+
+    /// The props are asked about what the pane used wants of them.
+    void takeWanted() {
+        for (std::size_t i = 0; i < layers.size(); ++i)
+            if (layers[i].points) setWanted(pane(), i);
+    }
+
+    void setPart(double from, double to, bool whole, bool meshes) {
+        PaneDrawing& used = pane();
+        used.from = from;
+        used.to = to;
+        used.whole = whole;
+        used.meshes = meshes;
+        used.share = to;
+        for (const auto& one : panes) one->renderer->SetDraw(one.get() == &used);
+    }
+
+    void addPane() {
+        auto& pane = *panes.emplace_back(std::make_unique<PaneDrawing>());
+        pane.pass->setRelease([store = store] { store->release(); });
+        pane.pass->setPrepare(
+            [this, &pane](vtkProp& prop, int picture) { return prepare(prop, picture, pane); });
+        // In this order: a renderer that enters a window asks its props to give back what they have there.
+        window.AddRenderer(pane.renderer);
+        for (const Drawn& drawn : layers)
+            if (drawn.prop()) pane.renderer->AddViewProp(drawn.prop());
+    }
+
+    /// The sides of the section in the display frame.
+    std::vector<Eigen::Vector4f> clips() const {
+        std::vector<Eigen::Vector4f> sides;
+        if (!section) return sides;
+        for (const ClipPlane& plane : section->planes()) {
+            Eigen::Vector4f side;
+            side << plane.normal.cast<float>(), static_cast<float>(plane.distance + plane.normal.dot(origin));
+            sides.push_back(side);
         }
+        return sides;
+    }
+
+    void clip(Drawn& drawn) const {
+        const std::vector<Eigen::Vector4f> sides = clips();
+        if (drawn.points) return drawn.points->setClips(sides);
+        drawn.mesh->GetMapper()->RemoveAllClippingPlanes();
+        for (const Eigen::Vector4f& side : sides) {
+            vtkNew<vtkPlane> plane;
+            const Eigen::Vector3d normal = side.head<3>().cast<double>();
+            const Eigen::Vector3d on = -side.w() * normal;
+            plane->SetNormal(normal.data());
+            plane->SetOrigin(on.data());
+            drawn.mesh->GetMapper()->AddClippingPlane(plane);
+        }
+    }
+
+    /// Whether a box of the world lies outside of the section.
+    bool isCut(const BoundingBox& box) const {
+        if (!section || box.empty()) return false;
+        const Eigen::Vector3d half = 0.5 * (box.max - box.min);
+        const std::vector<ClipPlane> planes = section->planes();
+        return std::any_of(planes.begin(), planes.end(), [&](const ClipPlane& plane) {
+            return plane.normal.dot(box.centre()) + plane.normal.cwiseAbs().dot(half) + plane.distance < 0;
+        });
     }
 };
 
 SceneDrawing::SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld, std::size_t wholeBelow)
     : d_(std::make_unique<Private>(window, mostHeld, wholeBelow)) {
-    d_->renderer->SetPass(d_->pass);
-    d_->renderer->SetBackground(0, 0, 0);
-    // VTK would leave out what the first picture does not show; setCamera() decides for both.
-    d_->renderer->GetCullers()->RemoveAllItems();
-    d_->pass->setRelease([store = d_->store] { store->release(); });
-    d_->pass->setPrepare([this](vtkProp& prop, int picture) { return d_->prepare(prop, picture); });
-    window.AddRenderer(d_->renderer);
+    d_->addPane();
 }
 
 SceneDrawing::~SceneDrawing() {
     d_->window.MakeCurrent();
-    d_->window.RemoveRenderer(d_->renderer);
+    for (const auto& pane : d_->panes) d_->window.RemoveRenderer(pane->renderer);
+}
+
+void SceneDrawing::setPanes(const std::vector<QRectF>& viewports) {
+    d_->window.MakeCurrent();
+    while (d_->panes.size() > std::max<std::size_t>(1, viewports.size())) {
+        // The props stay in the other renderers, and so do their points on the card.
+        PaneDrawing& last = *d_->panes.back();
+        last.pass->setRelease({});
+        for (const Drawn& drawn : d_->layers)
+            if (drawn.points) drawn.points->keepPages(true);
+        d_->window.RemoveRenderer(last.renderer);
+        last.renderer->RemoveAllViewProps();
+        d_->panes.pop_back();
+        for (const Drawn& drawn : d_->layers)
+            if (drawn.points) drawn.points->keepPages(false);
+    }
+    while (d_->panes.size() < viewports.size()) d_->addPane();
+    for (std::size_t i = 0; i < viewports.size(); ++i) {
+        const QRectF& place = viewports[i];
+        d_->panes[i]->renderer->SetViewport(place.left(), 1 - place.bottom(), place.right(), 1 - place.top());
+    }
+    d_->used = 0;
+}
+
+void SceneDrawing::usePane(std::size_t pane) {
+    d_->used = std::min(pane, d_->panes.size() - 1);
+    d_->takeWanted();
 }
 
 void SceneDrawing::show(const ViewDescription& view) {
     d_->placeOrigin(view);
+    d_->section = view.section;
     d_->scale = colorScale(view);
     std::vector<Drawn> before = std::move(d_->layers);
     d_->layers.clear();
@@ -273,19 +374,29 @@ void SceneDrawing::show(const ViewDescription& view) {
         if (drawn.points) {
             drawn.points->setPointSize(view.pointSize_px);
             drawn.points->setPull(d_->pullOf(view, layer));
+            drawn.points->setSizeByDistance(view.sizeByDistance);
         }
+        d_->clip(drawn);
     }
     for (const Drawn& drawn : before) d_->remove(drawn);
     before.clear();
     d_->reserve();
-    d_->pass->setEyeDomeLighting(view.eyeDomeLighting);
     const ViewTheme theme = viewTheme(view.theme);
-    d_->pass->setBackground(toVector(theme.backgroundTop), toVector(theme.backgroundBottom));
     d_->compares = view.comparison.has_value();
-    if (view.comparison)
-        setComparison(*view.comparison);
-    else
-        d_->pass->setMix(PicturePass::Mix::none, 0, 1);
+    for (const auto& pane : d_->panes) {
+        pane->pass->setEyeDomeLighting(view.eyeDomeLighting);
+        pane->pass->setBackground(toVector(theme.backgroundTop), toVector(theme.backgroundBottom),
+                                  view.transparent);
+        pane->grid.show(view, d_->origin);
+        if (!view.comparison) pane->pass->setMix(PicturePass::Mix::none, 0, 1);
+    }
+    if (view.comparison) setComparison(*view.comparison);
+}
+
+void SceneDrawing::setSection(const std::optional<SectionBox>& section) {
+    d_->section = section;
+    for (Drawn& drawn : d_->layers)
+        if (drawn.prop()) d_->clip(drawn);
 }
 
 void SceneDrawing::setComparison(const ViewComparison& comparison) {
@@ -295,10 +406,16 @@ void SceneDrawing::setComparison(const ViewComparison& comparison) {
                     : comparison.mode == CompareMode::checkerboard ? Mix::checkerboard
                     : comparison.otherShown                        ? Mix::other
                                                                    : Mix::own;
-    d_->pass->setMix(mix, static_cast<float>(comparison.divider), comparison.tile_px);
+    for (const auto& pane : d_->panes)
+        pane->pass->setMix(mix, static_cast<float>(comparison.divider), comparison.tile_px);
 }
 
 void SceneDrawing::setCamera(const ViewCamera& camera) {
+    setCamera(camera, {0, 0, camera.width_px, camera.height_px});
+}
+
+void SceneDrawing::setCamera(const ViewCamera& camera, const PictureTile& tile) {
+    PaneDrawing& pane = d_->pane();
     std::optional<DepthRange> range;
     const double slope =
         camera.parallel ? 0 : 2 * std::tan(0.5 * camera.verticalAngle_rad) / camera.height_px;
@@ -308,6 +425,7 @@ void SceneDrawing::setCamera(const ViewCamera& camera) {
         std::optional<double> finest;
         for (const Similarity& motion : motions) {
             const BoundingBox box = motion.isIdentity() ? built : built.transformed(motion);
+            if (d_->isCut(box)) continue;
             const auto seen = depthsSeen(camera, box.min, box.max);
             if (!seen) continue;
             range = range ? DepthRange{std::min(range->nearest, seen->nearest),
@@ -319,8 +437,9 @@ void SceneDrawing::setCamera(const ViewCamera& camera) {
         return finest;
     };
     std::size_t seenPoints = 0;
-    std::vector<std::pair<PointProp*, std::vector<std::optional<double>>>> seen;
-    for (Drawn& drawn : d_->layers) {
+    std::vector<std::pair<std::size_t, std::vector<std::optional<double>>>> seen;
+    for (std::size_t layer = 0; layer < d_->layers.size(); ++layer) {
+        const Drawn& drawn = d_->layers[layer];
         if (!drawn.visible) continue;
         std::vector<Similarity> motions;
         for (int picture = 0; picture < 2; ++picture)
@@ -329,28 +448,36 @@ void SceneDrawing::setCamera(const ViewCamera& camera) {
             finestSeen(drawn.box, motions);
             continue;
         }
-        auto& [points, finest] = seen.emplace_back(drawn.points.Get(), std::vector<std::optional<double>>());
-        for (const PointBlock& block : points->blocks()) {
+        auto& finest = seen.emplace_back(layer, std::vector<std::optional<double>>()).second;
+        for (const PointBlock& block : drawn.points->blocks()) {
             finest.push_back(finestSeen(block.box, motions));
             if (finest.back()) seenPoints += block.size();
         }
     }
-    d_->wanted = 0;
-    for (const auto& [points, finest] : seen) {
-        std::vector<std::uint32_t> wanted(finest.size(), 0);
+    pane.wantedPoints = 0;
+    pane.wanted.assign(d_->layers.size(), {});
+    for (const auto& [layer, finest] : seen) {
+        const PointProp& points = *d_->layers[layer].points;
+        std::vector<std::uint32_t>& wanted = pane.wanted[layer];
+        wanted.assign(finest.size(), 0);
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             if (!finest[i]) continue;
-            const PointBlock& block = points->blocks()[i];
+            const PointBlock& block = points.blocks()[i];
             wanted[i] = seenPoints <= d_->wholeBelow ? block.size() : pointsWorthDrawing(block, *finest[i]);
-            d_->wanted += wanted[i];
+            pane.wantedPoints += wanted[i];
         }
-        points->setWanted(std::move(wanted));
     }
-    setVtkCamera(*d_->renderer->GetActiveCamera(), camera, d_->origin, range.value_or(DepthRange{1, 2}));
+    d_->takeWanted();
+    pane.grid.setCamera(camera);
+    setVtkCamera(*pane.renderer->GetActiveCamera(), camera, d_->origin, range.value_or(DepthRange{1, 2}),
+                 tile);
+    const auto height = static_cast<float>(camera.height_px);
+    pane.pass->setBand(1 - static_cast<float>(tile.top + tile.height) / height,
+                       1 - static_cast<float>(tile.top) / height);
 }
 
 std::size_t SceneDrawing::pointsWanted() const {
-    return d_->wanted;
+    return d_->pane().wantedPoints;
 }
 
 std::uint64_t SceneDrawing::pointsUploaded() const {
@@ -374,15 +501,13 @@ double SceneDrawing::shareWithin(double from, double to, std::size_t most) const
 }
 
 void SceneDrawing::beginPicture(double share) {
-    d_->pass->restart();
-    d_->share = share;
-    d_->setParts(0, share, true, true);
+    d_->pane().pass->restart();
+    d_->setPart(0, share, true, true);
 }
 
 bool SceneDrawing::beginPassingPicture(double share, std::size_t most) {
-    d_->pass->restart();
-    d_->share = share;
-    d_->setParts(0, share, false, true);
+    d_->pane().pass->restart();
+    d_->setPart(0, share, false, true);
     d_->store->begin();
     std::map<PointProp*, std::vector<PointProp::Page>> missing;
     std::size_t points = 0;
@@ -399,8 +524,7 @@ bool SceneDrawing::beginPassingPicture(double share, std::size_t most) {
 }
 
 void SceneDrawing::addToPicture(double share) {
-    d_->setParts(d_->share, share, true, false);
-    d_->share = share;
+    d_->setPart(d_->pane().share, share, true, false);
 }
 
 const std::optional<ColorScale>& SceneDrawing::scale() const {

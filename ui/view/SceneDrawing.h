@@ -2,10 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "ui/view/ColorScale.h"
+#include "ui/view/VtkCamera.h"
 
 class vtkRenderWindow;
+class QRectF;
 
 namespace vestige {
 
@@ -19,17 +22,28 @@ class SceneDrawing {
     /// While the blocks that are seen have fewer points than this, all of them are drawn; beyond, those that
     /// the picture's pixels can show. As many as the card holds with room to spare: where points lie
     /// unevenly, as at the edge of a flight, thinning shows.
-    static constexpr std::size_t kWholeBelow = 20'000'000;
+    static constexpr std::size_t kWholeBelow = 20000000;
 
     /// The window must outlive this object.
     explicit SceneDrawing(vtkRenderWindow& window, std::size_t mostHeld = kMostHeld,
                           std::size_t wholeBelow = kWholeBelow);
     ~SceneDrawing();
 
+    /// Divides the window: a picture for each viewport, shares of it from the top left. At first there is one
+    /// that fills the window.
+    void setPanes(const std::vector<QRectF>& viewports);
+    /// The picture that all that follows is about, but show() and setComparison(): 0 for the first. The
+    /// others stay as they are.
+    void usePane(std::size_t pane);
+
     /// Rebuilds what differs from what is there; a layer that was moved is moved, not built again. A layer
     /// without an octree gets one here. The description's camera is not taken.
     void show(const ViewDescription& view);
+    /// What lies outside is not drawn; the pictures must begin anew.
+    void setSection(const std::optional<SectionBox>& section);
     void setCamera(const ViewCamera& camera);
+    /// The window shows a part of the camera's picture only.
+    void setCamera(const ViewCamera& camera, const PictureTile& tile);
 
     /// How the two pictures of a comparison are laid into each other; costs no drawing of points. The
     /// description shown says whether there are two.

@@ -1,31 +1,20 @@
 #include "ui/view/SceneView.h"
 
-#include <vtkRenderWindow.h>
-
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
+#include <QWheelEvent>
 #include <QWidget>
 
 #include "core/pipeline/FrameView.h"
-#include "ui/view/FrameBudget.h"
 #include "ui/view/Overlay.h"
-#include "ui/view/SceneDrawing.h"
-#include "ui/view/ViewMouse.h"
+#include "ui/view/PaneFrames.h"
+#include "ui/view/SameDrawing.h"
+#include "ui/view/ViewTheme.h"
 
 namespace vestige {
 namespace {
 
-constexpr double kMovingFrame_s = 0.07;
-constexpr double kRestingFrame_s = 0.12;
-/// A picture is complete after so many steps at most, once the graphics card holds its points: each step
-/// costs light and copying, too, however few its points.
-constexpr double kLeastStep = 1.0 / 12;
-constexpr int kRest_ms = 160;
-/// Points made ready and given to the graphics card between two frames: about 30 ms on two cores.
-constexpr std::size_t kBroughtAtOnce = 400'000;
 constexpr double kPivotRadius_px = 24;
 
 /// Paints over the picture; mouse and keyboard go through it.
@@ -50,141 +39,142 @@ class OverlayWidget : public QWidget {
 }  // namespace
 
 struct SceneView::Private {
-    std::unique_ptr<ViewSurface> surface;
-    std::unique_ptr<SceneDrawing> drawing;
+    explicit Private(const SceneView& view) : owner(view) {}
+
+    const SceneView& owner;
+    std::unique_ptr<PaneFrames> frames;
     OverlayWidget* overlay = nullptr;
     ViewDescription description;
-    ViewCamera camera;
     bool hasCamera = false;
     std::vector<std::shared_ptr<const Octree>> octrees;
     ViewTool* tool = nullptr;
     ViewTool* guard = nullptr;
+    ViewTool* handles = nullptr;
     std::optional<ViewMark> pending;
     std::vector<QRectF> covered;
     std::unique_ptr<ViewMouse> mouse;
+    std::optional<Eigen::Vector3d> pivot;
+    std::optional<SectionHandle> held;
+    std::optional<std::pair<double, double>> colorEnds;
+    bool sectionHandles = false;
+    bool handling = false;  // a mouse event, in the pane that is pointed at
+    QPoint lastPlace;       // of the mouse, in that pane
 
-    QTimer frameTimer;  // the next frame, as soon as events are handled
-    QTimer restTimer;   // the camera stands still
-    FrameBudget movingBudget{kMovingFrame_s};
-    FrameBudget restingBudget{kRestingFrame_s};
-    bool sceneChanged = true;
-    bool pictureChanged = true;
-    bool moving = false;
-    double share = 0;     // of the points wanted that the picture holds
-    bool lacks = false;   // the picture has not all points of that share
-    bool atOnce = false;  // one step drew the picture
+    ViewPanes& panes() { return frames->panes(); }
+    QSize size() const { return frames->widget()->size(); }
+    ViewPane& current() { return handling ? panes().pointed() : panes().active(); }
 
-    QSize size() const { return surface->widget()->size(); }
-
-    void fitCamera() {
-        camera.width_px = std::max(1, size().width());
-        camera.height_px = std::max(1, size().height());
-    }
+    void fitCameras() { panes().fit(size()); }
 
     void paintOver(QPainter& painter) {
-        paintOverlay(painter, {description, camera, drawing->scale(), pending, covered});
-    }
-
-    /// Draws the next step of the picture: the first points, or some more. `all` leaves nothing out.
-    void step(bool all) {
-        if (size().isEmpty()) return;
-        fitCamera();
-        if (sceneChanged) drawing->show(description);
-        const bool begin = sceneChanged || pictureChanged;
-        if (begin) drawing->setCamera(camera);
-        const std::size_t wanted = drawing->pointsWanted();
-        FrameBudget& budget = moving ? movingBudget : restingBudget;
-        double part = wanted == 0 || all ? 1.0 : static_cast<double>(budget.points()) / wanted;
-        if (!moving) part = std::max(part, kLeastStep);
-        const double from = begin ? 0 : share;
-        double to = std::min(1.0, from + part);
-        const bool passing = moving && begin && !all;
-        if (!all && !passing) to = drawing->shareWithin(from, to, kBroughtAtOnce);
-        bool holds = true;
-        if (passing)
-            holds = drawing->beginPassingPicture(to, kBroughtAtOnce);
-        else if (begin)
-            drawing->beginPicture(to);
-        else
-            drawing->addToPicture(to);
-        QElapsedTimer clock;
-        clock.start();
-        if (!surface->drawFrame()) {
-            frameTimer.start(20);
-            return;
+        const ViewTheme theme = viewTheme(description.theme);
+        const bool several = panes().layout() == ViewLayout::four;
+        for (std::size_t i = 0; i < panes().all().size(); ++i) {
+            const ViewPane& pane = panes().all()[i];
+            std::vector<QRectF> over;
+            for (const QRectF& place : covered) {
+                const QRectF here = (place & QRectF(pane.place)).translated(-pane.place.topLeft());
+                if (!here.isEmpty()) over.push_back(here);
+            }
+            painter.save();
+            painter.setClipRect(pane.place);
+            painter.translate(pane.place.topLeft());
+            // One legend is enough: at the top right.
+            OverlayContent content{description, pane.camera, frames->drawing().scale(), pending,
+                                   std::move(over)};
+            content.legend = !several || i == 1;
+            if (several) content.name = viewName(pane.camera);
+            content.sectionHandles = sectionHandles;
+            content.held = held;
+            content.pivot = pivot;
+            paintOverlay(painter, content);
+            if (tool && i == panes().pointedIndex()) tool->paint(owner, painter, pane.camera, theme);
+            painter.restore();
         }
-        budget.frameTook(static_cast<std::size_t>((to - from) * static_cast<double>(wanted)),
-                         1e-9 * clock.nsecsElapsed());
-        if (begin) lacks = !holds;
-        atOnce = begin;
-        sceneChanged = pictureChanged = false;
-        share = to;
-        overlay->update();
-        if (share < 1 && !moving) frameTimer.start(0);
+        if (!several) return;
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(theme.panelEdge, 1));
+        for (const ViewPane& pane : panes().all()) painter.drawRect(pane.place.adjusted(0, 0, -1, -1));
+        painter.setPen(QPen(theme.accent, 2));
+        painter.drawRect(panes().active().place.adjusted(1, 1, -1, -1));
     }
 
-    /// The camera stands still: what was left out of passing pictures comes in.
-    void rest() {
-        moving = false;
-        if (lacks) pictureChanged = true;
-        frameTimer.start(0);
+    /// Null where the flags are of other points than the octree's, for the moment.
+    const std::vector<std::uint8_t>* hiddenOf(std::size_t layer) const {
+        const auto& hidden = description.layers[layer].hidden;
+        return hidden && hidden->size() == octrees[layer]->cloud().size() ? hidden.get() : nullptr;
     }
 
-    void redraw() {
-        pictureChanged = true;
-        if (!frameTimer.isActive()) frameTimer.start(0);
-    }
-
-    std::optional<Pick> pick(const QPoint& position, double radius_px) const {
+    std::optional<Pick> pick(const QPoint& position, double radius_px) {
         std::vector<PickLayer> layers;
         const std::size_t count = std::min(octrees.size(), description.layers.size());
         for (std::size_t i = 0; i < count; ++i)
             if (octrees[i] && description.layers[i].visible)
-                layers.push_back(
-                    {static_cast<std::uint32_t>(i), octrees[i].get(), description.layers[i].worldFromLayer});
+                layers.push_back({static_cast<std::uint32_t>(i), octrees[i].get(),
+                                  description.layers[i].worldFromLayer, hiddenOf(i)});
         PickOptions options;
         options.radius_px = radius_px;
-        return pickPoint(layers, camera, {position.x() + 0.5, position.y() + 0.5}, options);
+        if (description.section) options.clips = description.section->planes();
+        return pickPoint(layers, panes().pointed().camera, {position.x() + 0.5, position.y() + 0.5}, options);
+    }
+
+    std::optional<Eigen::Vector3d> pointNear(const QPoint& position) {
+        auto found = pick(position, PickOptions{}.radius_px);
+        if (!found) found = pick(position, kPivotRadius_px);
+        return found ? std::optional(found->world) : std::nullopt;
+    }
+
+    /// The panes that look from named sides, all there is in them.
+    void framePanes() {
+        for (std::size_t i = 0; i < panes().all().size(); ++i) {
+            ViewPane& pane = panes().all()[i];
+            if (const auto side = viewOfPane(i); side && panes().layout() == ViewLayout::four)
+                pane.camera = frameView(description, *side, pane.camera.width_px, pane.camera.height_px);
+        }
     }
 };
 
 SceneView::SceneView(const ViewSurfaceFactory& makeSurface, QWidget* parent)
-    : QObject(parent), d_(std::make_unique<Private>()) {
-    d_->surface = makeSurface(parent);
-    d_->drawing = std::make_unique<SceneDrawing>(d_->surface->renderWindow());
-    QWidget* widget = d_->surface->widget();
-    d_->overlay = new OverlayWidget(widget, [this](QPainter& painter) { d_->paintOver(painter); });
-    d_->mouse = std::make_unique<ViewMouse>([this](const QPoint& position) -> std::optional<Eigen::Vector3d> {
-        auto pick = d_->pick(position, PickOptions{}.radius_px);
-        if (!pick) pick = d_->pick(position, kPivotRadius_px);
-        return pick ? std::optional(pick->world) : std::nullopt;
+    : QObject(parent), d_(std::make_unique<Private>(*this)) {
+    d_->frames = std::make_unique<PaneFrames>(makeSurface(parent), [this] {
+        d_->overlay->update();
+        const auto ends = colorEnds();
+        if (ends == d_->colorEnds) return;
+        d_->colorEnds = ends;
+        emit colorsChanged();
     });
+    d_->frames->description = [this]() -> const ViewDescription& { return d_->description; };
+    QWidget* widget = d_->frames->widget();
+    d_->overlay = new OverlayWidget(widget, [this](QPainter& painter) { d_->paintOver(painter); });
+    d_->mouse =
+        std::make_unique<ViewMouse>([this](const QPoint& position) { return d_->pointNear(position); });
+    d_->mouse->onMiddleClick([this](const QPoint& position) { setPivotAt(position); });
     widget->setMouseTracking(true);
     widget->setFocusPolicy(Qt::StrongFocus);
     widget->setContextMenuPolicy(Qt::PreventContextMenu);
     widget->installEventFilter(this);
-    d_->frameTimer.setSingleShot(true);
-    d_->restTimer.setSingleShot(true);
-    connect(&d_->frameTimer, &QTimer::timeout, this, [this] { d_->step(false); });
-    connect(&d_->restTimer, &QTimer::timeout, this, [this] { d_->rest(); });
 }
 
 SceneView::~SceneView() = default;
 
 QWidget* SceneView::widget() const {
-    return d_->surface->widget();
+    return d_->frames->widget();
 }
 
 void SceneView::show(ViewDescription view, bool resetCamera) {
     const bool take = resetCamera || !d_->hasCamera;
+    // Most edits change what is painted over the points alone.
+    const bool same = !take && sameDrawing(d_->description, view);
     d_->description = std::move(view);
-    d_->sceneChanged = true;
+    if (same) return d_->overlay->update();
     if (take) {
-        d_->camera = d_->description.camera;
+        d_->panes().active().camera = d_->description.camera;
         d_->hasCamera = true;
-        d_->fitCamera();
+        d_->fitCameras();
+        d_->framePanes();
     }
-    d_->redraw();
+    d_->frames->sceneChanged();
     d_->overlay->update();
     if (take) emit cameraChanged();
 }
@@ -202,22 +192,92 @@ std::optional<Pick> SceneView::pickAt(const QPoint& position) const {
 }
 
 ViewCamera SceneView::camera() const {
-    d_->fitCamera();
-    return d_->camera;
+    d_->fitCameras();
+    return d_->current().camera;
 }
 
 void SceneView::setCamera(const ViewCamera& camera) {
-    d_->camera = camera;
+    ViewPane& pane = d_->current();
+    pane.camera = camera;
     d_->hasCamera = true;
-    d_->fitCamera();
-    d_->redraw();
+    d_->fitCameras();
+    d_->frames->paneChanged(pane);
     d_->overlay->update();
     emit cameraChanged();
 }
 
 void SceneView::showNamedView(NamedView view) {
-    d_->fitCamera();
-    setCamera(frameView(d_->description, view, d_->camera.width_px, d_->camera.height_px));
+    const ViewCamera now = camera();
+    setCamera(frameView(d_->description, view, now.width_px, now.height_px));
+}
+
+void SceneView::setLayout(ViewLayout layout) {
+    if (layout == d_->panes().layout()) return;
+    d_->panes().setLayout(layout);
+    d_->fitCameras();
+    d_->framePanes();
+    d_->frames->layoutChanged();
+    d_->overlay->update();
+    emit layoutChanged();
+    emit cameraChanged();
+}
+
+ViewLayout SceneView::layout() const {
+    return d_->panes().layout();
+}
+
+QRect SceneView::panePlace() const {
+    d_->fitCameras();
+    return d_->current().place;
+}
+
+void SceneView::changeCameras(const std::function<ViewCamera(const ViewCamera&)>& change) {
+    d_->fitCameras();
+    for (ViewPane& pane : d_->panes().all()) pane.camera = change(pane.camera);
+    d_->frames->allChanged();
+    d_->overlay->update();
+    emit cameraChanged();
+}
+
+void SceneView::setSection(const std::optional<SectionBox>& section) {
+    if (d_->description.section == section) return;
+    d_->description.section = section;
+    d_->frames->drawing().setSection(section);
+    d_->frames->moves(nullptr);
+    d_->frames->allChanged();
+    d_->overlay->update();
+}
+
+void SceneView::showSectionHandles(bool on) {
+    d_->sectionHandles = on;
+    d_->overlay->update();
+}
+
+void SceneView::setHeldHandle(const std::optional<SectionHandle>& held) {
+    d_->held = held;
+    d_->overlay->update();
+}
+
+void SceneView::setNavigation(NavigationPreset preset) {
+    d_->mouse->setPreset(preset);
+}
+
+void SceneView::setPivot(const std::optional<Eigen::Vector3d>& pivot) {
+    d_->pivot = pivot;
+    d_->mouse->setPivot(pivot);
+    d_->overlay->update();
+}
+
+const std::optional<Eigen::Vector3d>& SceneView::pivot() const {
+    return d_->pivot;
+}
+
+void SceneView::setPivotAt(const QPoint& position) {
+    setPivot(d_->pointNear(position));
+}
+
+void SceneView::setPivotUnderCursor() {
+    setPivotAt(d_->lastPlace);
 }
 
 void SceneView::setTool(ViewTool* tool) {
@@ -235,19 +295,33 @@ void SceneView::setGuard(ViewTool* guard) {
     d_->guard = guard;
 }
 
+void SceneView::setHandles(ViewTool* handles) {
+    d_->handles = handles;
+}
+
 void SceneView::setComparison(const ViewComparison& comparison) {
     if (!d_->description.comparison) return;
     d_->description.comparison = comparison;
-    d_->drawing->setComparison(comparison);
+    d_->frames->drawing().setComparison(comparison);
     d_->overlay->update();
-    if (d_->sceneChanged || d_->pictureChanged) return;
-    d_->drawing->addToPicture(d_->share);
-    d_->surface->drawFrame();
+    d_->frames->mixChanged();
 }
 
 void SceneView::setPendingMark(std::optional<ViewMark> mark) {
     d_->pending = std::move(mark);
     d_->overlay->update();
+}
+
+void SceneView::updateOverlay() {
+    d_->overlay->update();
+}
+
+const std::optional<ColorScale>& SceneView::scale() const {
+    return d_->frames->drawing().scale();
+}
+
+const std::vector<QRectF>& SceneView::covered() const {
+    return d_->covered;
 }
 
 void SceneView::setCovered(std::vector<QRectF> covered) {
@@ -256,21 +330,30 @@ void SceneView::setCovered(std::vector<QRectF> covered) {
 }
 
 void SceneView::completePicture() {
-    d_->moving = false;
-    if (isComplete() && d_->atOnce) return;
-    // Points of equal depth hide each other by the order of drawing, and steps end where the time of a frame
-    // did: what they drew is drawn anew.
-    d_->pictureChanged = true;
-    d_->step(true);
+    d_->frames->completePicture();
 }
 
 bool SceneView::isComplete() const {
-    return !d_->sceneChanged && !d_->pictureChanged && !d_->lacks && d_->share >= 1;
+    return d_->frames->isComplete();
 }
 
 QImage SceneView::grab() {
     completePicture();
     return widget()->grab().toImage();
+}
+
+std::optional<std::pair<double, double>> SceneView::colorEnds() const {
+    const auto& scale = d_->frames->drawing().scale();
+    if (!scale || !scale->classes.empty()) return std::nullopt;
+    return std::pair(scale->low, scale->high);
+}
+
+double SceneView::movingFrame_s() const {
+    return d_->frames->movingFrame_s();
+}
+
+std::uint64_t SceneView::pointsUploaded() const {
+    return d_->frames->drawing().pointsUploaded();
 }
 
 bool SceneView::offerTo(ViewTool& tool, QEvent& event) {
@@ -279,46 +362,91 @@ bool SceneView::offerTo(ViewTool& tool, QEvent& event) {
             return tool.keyPress(*this, static_cast<QKeyEvent&>(event));
         case QEvent::MouseButtonPress:
             return tool.mousePress(*this, static_cast<QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick:
+            return tool.mouseDoubleClick(*this, static_cast<QMouseEvent&>(event));
         case QEvent::MouseMove:
             return tool.mouseMove(*this, static_cast<QMouseEvent&>(event));
         case QEvent::MouseButtonRelease:
             return tool.mouseRelease(*this, static_cast<QMouseEvent&>(event));
+        case QEvent::Wheel:
+            return tool.wheel(*this, static_cast<QWheelEvent&>(event));
         default:
             return false;
     }
 }
 
+/// An event in the pane that is pointed at, in its coordinates.
+bool SceneView::handle(QEvent& event) {
+    const auto offer = [&](ViewTool* tool) { return tool && offerTo(*tool, event); };
+    if (offer(d_->guard) || offer(d_->handles) || offer(d_->tool)) return true;
+    if (event.type() == QEvent::MouseButtonDblClick) return true;
+    ViewPane& pane = d_->panes().pointed();
+    if (const auto moved = d_->mouse->handle(event, pane.camera)) {
+        d_->frames->moves(&pane);
+        setCamera(*moved);
+    }
+    return true;
+}
+
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != d_->surface->widget()) return QObject::eventFilter(watched, event);
+    if (watched != widget()) return QObject::eventFilter(watched, event);
     const auto offer = [&](ViewTool* tool) { return tool && offerTo(*tool, *event); };
     switch (event->type()) {
         case QEvent::Resize:
             d_->overlay->resize(d_->size());
             [[fallthrough]];
         case QEvent::Show:
-            d_->fitCamera();
-            d_->redraw();
+            d_->frames->sizeChanged();
             return false;
+        case QEvent::ShortcutOverride:
+            if (!d_->tool || !d_->tool->holdsKey(*this, static_cast<QKeyEvent&>(*event))) return false;
+            event->accept();
+            return true;
         case QEvent::KeyPress:
-            return offer(d_->tool) || offer(d_->guard);
+            return offer(d_->tool) || offer(d_->handles) || offer(d_->guard);
         case QEvent::MouseButtonPress:
         case QEvent::MouseMove:
         case QEvent::MouseButtonRelease:
-            if (offer(d_->guard) || offer(d_->tool)) return true;
-            break;
+        case QEvent::MouseButtonDblClick:
         case QEvent::Wheel:
             break;
-        case QEvent::MouseButtonDblClick:
-            return true;
         default:
             return false;
     }
-    if (const auto moved = d_->mouse->handle(*event, camera())) {
-        d_->moving = true;
-        d_->restTimer.start(kRest_ms);
-        setCamera(*moved);
+    d_->fitCameras();
+    ViewPanes& panes = d_->panes();
+    const bool turn = event->type() == QEvent::Wheel;
+    const auto* wheel = turn ? static_cast<QWheelEvent*>(event) : nullptr;
+    const auto* mouse = turn ? nullptr : static_cast<QMouseEvent*>(event);
+    const QPoint position = turn ? wheel->position().toPoint() : mouse->pos();
+    const bool first =
+        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    // What was begun in a pane ends in it.
+    const Qt::MouseButtons before = turn    ? wheel->buttons()
+                                    : first ? mouse->buttons() & ~mouse->button()
+                                            : mouse->buttons();
+    const bool dragged = event->type() == QEvent::MouseButtonRelease || before != Qt::NoButton;
+    if (!dragged) panes.point(panes.at(position));
+    if (first && panes.activate(panes.pointedIndex())) {
+        d_->overlay->update();
+        emit activePaneChanged();
     }
-    return true;
+    const QPoint corner = panes.pointed().place.topLeft();
+    d_->lastPlace = position - corner;
+    d_->handling = true;
+    bool taken = false;
+    if (turn) {
+        QWheelEvent here(wheel->position() - corner, wheel->globalPosition(), wheel->pixelDelta(),
+                         wheel->angleDelta(), wheel->buttons(), wheel->modifiers(), wheel->phase(),
+                         wheel->inverted());
+        taken = handle(here);
+    } else {
+        QMouseEvent here(mouse->type(), mouse->localPos() - corner, mouse->windowPos(), mouse->screenPos(),
+                         mouse->button(), mouse->buttons(), mouse->modifiers());
+        taken = handle(here);
+    }
+    d_->handling = false;
+    return taken;
 }
 
 }  // namespace vestige

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "ui/view/Translated.h"
 #include "ui/view/ViewTheme.h"
 
 namespace vestige {
@@ -73,9 +74,8 @@ QRectF paintSplit(QPainter& painter, const ViewTheme& theme, const QRectF& pictu
     QString said = comparison.otherShown ? other : name;
     if (comparison.mode == CompareMode::checkerboard) {
         paintCorners(painter, theme, picture, comparison.tile_px);
-        said =
-            QStringLiteral("Tiles: %1 and %2 in turn, %1 at the top left; faint where a tile's own is empty")
-                .arg(name, other);
+        said = translated("Tiles: %1 and %2 in turn, %1 at the top left; faint where a tile's own is empty")
+                   .arg(name, other);
     }
     const double width = comparison.mode == CompareMode::checkerboard
                              ? widthOf(painter, said)

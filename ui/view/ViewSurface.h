@@ -9,7 +9,7 @@ class vtkRenderWindow;
 namespace vestige {
 
 /// The widget that shows the 3D picture and the VTK window that draws it. Two kinds exist:
-/// QVTKOpenGLNativeWidget in the desktop program, and a plain widget that paints the frames of an off-screen
+/// A QOpenGLWidget in the desktop program, and a plain widget that paints the frames of an off-screen
 /// context.
 class ViewSurface {
   public:

@@ -22,6 +22,9 @@ struct ViewTheme {
 
     QFont font(int pixelSize, bool bold = false) const {
         QFont font(QStringLiteral("Inter"));
+        // Inter has no Chinese glyphs; the system's own choice of a font for them differs from machine to
+        // machine.
+        font.setFamilies({QStringLiteral("Inter"), QStringLiteral("WenQuanYi Micro Hei")});
         font.setStyleHint(QFont::SansSerif);
         font.setPixelSize(pixelSize);
         font.setWeight(bold ? QFont::DemiBold : QFont::Normal);

@@ -60,6 +60,19 @@ void setVtkCamera(vtkCamera& target, const ViewCamera& camera, const Eigen::Vect
         nearest = std::max(nearest, 3e-5 * farthest);
     }
     target.SetClippingRange(nearest, farthest);
+    target.SetWindowCenter(0, 0);
+}
+
+void setVtkCamera(vtkCamera& target, const ViewCamera& camera, const Eigen::Vector3d& displayOrigin,
+                  const DepthRange& range, const PictureTile& tile) {
+    setVtkCamera(target, camera, displayOrigin, range);
+    const double share = static_cast<double>(tile.height) / camera.height_px;
+    target.SetParallelScale(camera.halfHeight_m * share);
+    target.SetViewAngle(
+        vtkMath::DegreesFromRadians(2 * std::atan(std::tan(0.5 * camera.verticalAngle_rad) * share)));
+    // In halves of the part's own size, right and up.
+    target.SetWindowCenter((2.0 * tile.left + tile.width - camera.width_px) / tile.width,
+                           (camera.height_px - 2.0 * tile.top - tile.height) / tile.height);
 }
 
 ViewCamera viewCameraOf(vtkCamera& source, const Eigen::Vector3d& displayOrigin, int width_px,

@@ -12,7 +12,7 @@ struct E57Attributes {
     bool source = false, returnNumber = false, returnCount = false;
 
     explicit E57Attributes(const E57Document& document);
-    void leaveUndrawn() { classification = time = source = returnNumber = returnCount = false; }
+    void leaveUndrawn() { time = source = returnNumber = returnCount = false; }
     /// As FileInfo names them.
     std::vector<std::string> names() const;
 };

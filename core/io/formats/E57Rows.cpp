@@ -19,8 +19,8 @@ constexpr std::array kPosition{E57Role::x,
                                E57Role::elevation,
                                E57Role::cartesianInvalid,
                                E57Role::sphericalInvalid};
-constexpr std::array kUndrawn{E57Role::time,        E57Role::timeInvalid, E57Role::classification,
-                              E57Role::pointSource, E57Role::returnIndex, E57Role::returnCount};
+constexpr std::array kUndrawn{E57Role::time, E57Role::timeInvalid, E57Role::pointSource, E57Role::returnIndex,
+                              E57Role::returnCount};
 
 template <class Roles>
 bool among(const Roles& roles, E57Role role) {

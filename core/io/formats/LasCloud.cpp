@@ -33,8 +33,8 @@ void LasCloud::resize(std::size_t points) {
     if (exact_) residuals_.resizeToFill(points);
     intensity_.resizeToFill(points);
     if (layout_.color) attributes_.color.resizeToFill(points);
-    if (!all_) return;
     attributes_.classification.resize(points);
+    if (!all_) return;
     attributes_.pointSource.resize(points);
     attributes_.returnNumber.resize(points);
     attributes_.returnCount.resize(points);
@@ -47,8 +47,8 @@ void LasCloud::set(std::size_t place, const LasPoint& point) {
     if (exact_) residuals_[place] = (offset - offsets_[place].cast<double>()).cast<float>();
     intensity_[place] = point.intensity;
     if (layout_.color) attributes_.color[place] = point.color;
-    if (!all_) return;
     attributes_.classification[place] = point.classification;
+    if (!all_) return;
     attributes_.pointSource[place] = point.pointSource;
     attributes_.returnNumber[place] = point.returnNumber;
     attributes_.returnCount[place] = point.returnCount;
@@ -60,11 +60,15 @@ void LasCloud::setDrawn(std::size_t place, const std::byte* records, std::size_t
     const std::size_t stride = header_.recordLength;
     constexpr std::size_t kFlags = 15;
     const std::uint8_t withheld = layout_.extended ? 4 : 0x80;
+    // LAS 1.4, tables 7 and 16.
+    const std::size_t classAt = layout_.extended ? 16 : 15;
+    const std::uint8_t classBits = layout_.extended ? 255 : 31;
     const Eigen::Vector3d scale = header_.scale;
     const Eigen::Vector3d shift = header_.offset;
     const Eigen::Vector3d origin = origin_;
     float* const offsets = offsets_[place].data();
     std::uint16_t* const intensity = &intensity_[place];
+    std::uint8_t* const classes = &attributes_.classification[place];
     Color* const color = kColor ? &attributes_.color[place] : nullptr;
     LasNotes own;
     own.points = count;
@@ -81,6 +85,7 @@ void LasCloud::setDrawn(std::size_t place, const std::byte* records, std::size_t
                 static_cast<float>((steps[axis] * scale[axis] + shift[axis]) - origin[axis]);
         }
         std::memcpy(intensity + i, records + 12, 2);
+        classes[i] = static_cast<std::uint8_t>(records[classAt]) & classBits;
         own.withheld += (static_cast<std::uint8_t>(records[kFlags]) & withheld) != 0 ? 1U : 0U;
         if constexpr (kColor) {
             std::memcpy(color + i, records + layout_.color, 6);
@@ -110,6 +115,9 @@ PointCloud LasCloud::build(const LasNotes& notes, ReadJob& job) && {
     if (notes.withheld > 0)
         job.warn(counted(notes.withheld, "point") + " marked as withheld, read all the same");
     // Formats 6 and later cannot leave the time out; zero throughout means that there is none.
+    std::vector<std::uint8_t>& classes = attributes_.classification;
+    if (!all_ && std::all_of(classes.begin(), classes.end(), [](std::uint8_t one) { return one == 0; }))
+        classes = {};
     std::vector<double>& times = attributes_.gpsTime;
     if (layout_.extended && std::all_of(times.begin(), times.end(), [](double time) { return time == 0; }))
         times = {};

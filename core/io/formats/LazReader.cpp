@@ -12,8 +12,9 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kBlock = 256;
-constexpr laszip_U32 kDrawn = laszip_DECOMPRESS_SELECTIVE_Z | laszip_DECOMPRESS_SELECTIVE_FLAGS |
-                              laszip_DECOMPRESS_SELECTIVE_INTENSITY | laszip_DECOMPRESS_SELECTIVE_RGB;
+constexpr laszip_U32 kDrawn = laszip_DECOMPRESS_SELECTIVE_Z | laszip_DECOMPRESS_SELECTIVE_CLASSIFICATION |
+                              laszip_DECOMPRESS_SELECTIVE_FLAGS | laszip_DECOMPRESS_SELECTIVE_INTENSITY |
+                              laszip_DECOMPRESS_SELECTIVE_RGB;
 
 struct ReaderCloser {
     void operator()(void* reader) const {

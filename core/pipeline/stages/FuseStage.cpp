@@ -10,6 +10,8 @@
 #include "core/pipeline/joint/AdjustmentJson.h"
 #include "core/report/AccuracyCsv.h"
 #include "core/report/MeasurementsCsv.h"
+#include "core/report/QuantitiesCsv.h"
+#include "core/scene/Cleaning.h"
 
 namespace vestige {
 namespace {
@@ -51,17 +53,20 @@ LasWriteOptions headerOf(const SceneState& scene) {
 }
 
 /// The original points, with all their attributes, of the target and of every layer registered to it, where
-/// the scene has them.
+/// the scene has them. What cleaning took out is there, too, withheld.
 std::vector<LasPart> partsOf(const SceneState& scene) {
     std::vector<LasPart> parts;
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         const Layer& layer = scene.layers[i];
         if (layer.id == scene.target || layer.registration)
-            parts.push_back({layer.data->points.get(), sceneFromLayer(layer),
+            parts.push_back({loadedData(layer)->points.get(), sceneFromLayer(layer),
                              static_cast<std::uint16_t>(i + 1),
                              [&layer, file = scene.resolve(layer.path)](const JobControl& control) {
-                                 return allAttributes(layer, file, control);
-                             }});
+                                 Layer loaded = layer;
+                                 loaded.data = loadedData(layer);
+                                 return allAttributes(loaded, file, control);
+                             },
+                             layer.cleaning ? &layer.cleaning->removed : nullptr});
     }
     return parts;
 }
@@ -81,6 +86,8 @@ Status fuseStage(ReconstructRun& run, const JobControl& control) {
     const std::pair<const char*, std::string> tables[] = {
         {"registration.json", textOf(registrationsJson(run.scene, false))},
         {"measurements.csv", measurementsCsv(run.measured)},
+        {"quantities.csv", quantitiesCsv(run.measured)},
+        {"uncertainty.csv", uncertaintyCsv(run.measured)},
         {"accuracy.csv", accuracyCsv(run.measured.accuracy)}};
     for (const auto& [name, text] : tables)
         if (const Status written = writeTextFile(run.output.path(name), text); !written) return written;

@@ -2,6 +2,7 @@
 #include "core/pipeline/LoadLayers.h"
 #include "core/pipeline/ReconstructRun.h"
 #include "core/scene/CaseFile.h"
+#include "core/scene/CleanedData.h"
 
 namespace vestige {
 namespace {
@@ -42,6 +43,7 @@ Status loadStage(ReconstructRun& run, const JobControl& control) {
             if (!data) return fail(data.error());
             layers[i].data = std::move(*data);
         }
+        if (const Status cleaned = applyCleaning(layers[i], sub.sub(0.9, 1)); !cleaned) return cleaned;
         const std::size_t place = run.inputs.size();
         run.inputs.push_back({"layer " + layers[i].id, file, layers[i].data->sha256, {}});
         const LayerData& data = *layers[i].data;

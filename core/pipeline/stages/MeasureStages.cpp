@@ -1,5 +1,6 @@
 #include "core/pipeline/ReconstructRun.h"
 #include "core/pipeline/ResolveAims.h"
+#include "core/report/CheckBlocks.h"
 
 namespace vestige {
 
@@ -11,6 +12,7 @@ Status aimStage(ReconstructRun& run, const JobControl& control) {
 
 Status measureStage(ReconstructRun& run, const JobControl&) {
     run.measured = measureScene(run.scene);
+    for (const std::string& failed : failedChecks(run.measured)) run.warnings.push_back(failed);
     return {};
 }
 

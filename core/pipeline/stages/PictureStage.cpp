@@ -18,7 +18,7 @@ Status pictureStage(ReconstructRun& run, const JobControl& control) {
             control.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         sub.progress(0, "picture " + picture.file);
         if (const Status drawn = run.renderer->renderPng(picture.view, png, sub); !drawn) return drawn;
-        run.pictures.push_back({picture.kind, picture.subject, png, picture.caption});
+        run.pictures.push_back({picture.kind, picture.subject, png, picture.caption, picture.toScale});
     }
     return {};
 }

@@ -2,9 +2,11 @@
 
 #include "core/base/AtomicFile.h"
 #include "core/base/Hash.h"
+#include "core/base/Translation.h"
 #include "core/pipeline/Manifest.h"
 #include "core/pipeline/ReconstructRun.h"
 #include "core/report/CaseReport.h"
+#include "core/report/TranslateReport.h"
 
 namespace vestige {
 
@@ -17,7 +19,8 @@ Status reportStage(ReconstructRun& run, const JobControl& control) {
                             run.warnings, run.pictures,
                             run.stages,   softwareVersions(run.renderer, run.printer),
                             run.date,     run.adjustment ? &*run.adjustment : nullptr};
-    return run.printer->printPdf(caseReport(input), run.output.path("report.pdf"), control);
+    return run.printer->printPdf(translated(caseReport(input), language()), run.output.path("report.pdf"),
+                                 control);
 }
 
 Status manifestStage(ReconstructRun& run, const JobControl& control) {

@@ -129,16 +129,12 @@ std::vector<double> scalesToTry(const TriangleMesh& target, const TriangleMesh& 
 
 std::string describe(const Candidate& candidate) {
     const Eigen::Vector3d at = candidate.targetFromSource.pose.translation();
-    std::string text = "at ";
-    text.append(fixedText(at.x(), 2)).append(", ").append(fixedText(at.y(), 2)).append(", ");
-    text.append(fixedText(at.z(), 2)).append(" (score ");
     const Evidence& evidence = candidate.judged.evidence;
-    text.append(fixedText(candidate.judged.score, 2)).append(", ");
-    if (candidate.by == JudgeBy::shape)
-        text.append("shapes differ by ")
-            .append(fixedText(1000 * std::sqrt(evidence.mostMismatch_m2()), 1))
-            .append(" mm at most, ");
-    return text.append(fixedText(100 * candidate.judged.evidence.coverage, 0)).append(" % of the scan met)");
+    const std::string mismatch = fixedText(1000 * std::sqrt(evidence.mostMismatch_m2()), 1);
+    return "at " + fixedText(at.x(), 2) + ", " + fixedText(at.y(), 2) + ", " + fixedText(at.z(), 2) +
+           " (score " + fixedText(candidate.judged.score, 2) +
+           (candidate.by == JudgeBy::shape ? ", shapes differ by " + mismatch + " mm at most" : "") + ", " +
+           fixedText(100 * evidence.coverage, 0) + " % of the scan met)";
 }
 
 /// What a registration makes of a candidate that the search alone cannot rule out.
@@ -200,9 +196,9 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
         first.targetFromSource = best.targetFromSource;
         if (best.by == JudgeBy::shape) first.error_m = kErrorPerVoxel * best.voxel_m;
         const double margin = parameters.real("search_margin");
-        std::string& note = first.notes.emplace_back("first pose found ");
-        note.append(describe(best)).append(", with voxels of ").append(fixedText(best.voxel_m, 3));
-        note.append(" m, the source in ").append(unitWords(best.targetFromSource.scale));
+        first.notes.push_back("first pose found " + describe(best) + ", with voxels of " +
+                              fixedText(best.voxel_m, 3) + " m, the source in " +
+                              unitWords(best.targetFromSource.scale));
         std::optional<Fit> fitOfBest;
         for (std::size_t i = 0; i < std::min(kShown, candidates.size()); ++i) {
             const Candidate& one = candidates[i];
@@ -217,8 +213,7 @@ Result<FirstPose> findFirstPose(const TriangleMesh& target, const TriangleMesh& 
                     fitsAsWell(fitFrom(there, here, one, first, parameters, control.sub(0.9, 1)), fitOfBest);
             }
             first.ambiguous = first.ambiguous || rival;
-            first.notes.push_back(describe(one));
-            first.notes.back().append(rival ? ": as good" : ": worse");
+            first.notes.push_back(describe(one) + (rival ? ": as good" : ": worse"));
         }
         control.progress(1, "first pose");
         return first;

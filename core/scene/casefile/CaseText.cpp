@@ -88,6 +88,11 @@ Result<std::string> textInFolder(const SceneState& scene, const fs::path& folder
             return (relative.empty() ? absolute : relative).generic_string();
         }));
     });
+    if (text && text->size() > kLargestCaseText)
+        return fail(ErrorCode::output,
+                    "the case would hold " + std::to_string(text->size() >> 20) + " MB, more than the " +
+                        std::to_string(kLargestCaseText >> 20) + " MB that are read again",
+                    folder.string(), "forget some of the parts of the scene, or bring points back");
     if (text) return text;
     Error error = text.error();
     error.code = ErrorCode::output;

@@ -118,13 +118,15 @@ Json layerJson(const Layer& layer, const PathText& pathText) {
     if (layer.box) json["box"] = boxJson(*layer.box);
     json["visible"] = layer.visible;
     json["tint"] = layer.tint;
+    if (layer.cleaning) json["cleaning"] = cleaningJson(*layer.cleaning);
     if (layer.registration) json["registration"] = resultJson(*layer.registration);
     return json;
 }
 
 Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesystem::path& folder) {
     cursor.warnOfOthers({"id", "name", "role", "method", "path", "sha256", "bytes", "modified", "unit",
-                         "keep_every", "box", "init", "salvage", "visible", "tint", "registration"});
+                         "keep_every", "box", "init", "salvage", "visible", "tint", "cleaning",
+                         "registration"});
     Layer layer;
     layer.id = cursor.at("id").name();
     layer.role = readRole(cursor.at("role"));
@@ -148,13 +150,23 @@ Layer readLayer(const JsonCursor& cursor, std::size_t place, const std::filesyst
         for (std::size_t i = 0; i < 3; ++i)
             layer.tint[i] = static_cast<std::uint8_t>(channels[i].integer(0, 255));
     }
+    if (const auto cleaning = cursor.find("cleaning")) layer.cleaning = readCleaning(*cleaning);
     if (const auto result = cursor.find("registration")) layer.registration = readResult(*result);
     return layer;
 }
 
 bool sameText(const Layer& a, const Layer& b) {
     const PathText asTheyAre = [](const std::filesystem::path& path) { return path.generic_string(); };
-    return layerJson(a, asTheyAre) == layerJson(b, asTheyAre);
+    const auto sameCleaning = [](const auto& one, const auto& other) {
+        return one == other || (one && other && *one == *other);
+    };
+    if (!sameCleaning(a.cleaning, b.cleaning)) return false;
+    // Millions of points need not be spelled out for this.
+    const auto text = [&](Layer layer) {
+        layer.cleaning = nullptr;
+        return layerJson(layer, asTheyAre);
+    };
+    return text(a) == text(b);
 }
 
 }  // namespace vestige

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/casefile/CaseJson.h"
+#include "core/scene/casefile/KindJson.h"
 
 namespace vestige {
 namespace {
@@ -134,10 +135,19 @@ Aim readAim(const JsonCursor& cursor) {
 
 }  // namespace
 
+Json pickedPointJson(const PickedPoint& point) {
+    return endJson(point);
+}
+
+PickedPoint readPickedPoint(const JsonCursor& cursor) {
+    return readEnd(cursor);
+}
+
 Json measurementJson(const Measurement& measurement) {
     Json json{{"object", measurement.object}};
     if (measurement.tape_m) json["tape_m"] = *measurement.tape_m;
     if (measurement.tapeResolution_m) json["tape_resolution_m"] = *measurement.tapeResolution_m;
+    addKindJson(json, measurement);
     Json picks = Json::object();
     for (const auto& [key, pairs] : measurement.picks) {
         picks[key] = Json::array();
@@ -156,12 +166,14 @@ Json measurementJson(const Measurement& measurement) {
 }
 
 Measurement readMeasurement(const JsonCursor& cursor) {
-    cursor.warnOfOthers({"object", "tape_m", "tape_resolution_m", "picks", "aims"});
+    cursor.warnOfOthers({"object", "kind", "settings", "tape_m", "tape_resolution_m", "check_tolerance_m",
+                         "picks", "paths", "aims"});
     Measurement measurement;
     measurement.object = cursor.at("object").name();
     if (const auto tape = cursor.find("tape_m")) measurement.tape_m = tape->realAbove0();
     if (const auto digit = cursor.find("tape_resolution_m"))
         measurement.tapeResolution_m = digit->realAbove0();
+    readKind(cursor, measurement);
     if (const auto picks = cursor.find("picks")) {
         for (const auto& [key, pairs] : picks->members()) {
             auto& held = measurement.picks[key];

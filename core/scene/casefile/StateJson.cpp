@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/scene/casefile/CaseJson.h"
+#include "core/scene/casefile/SavedViewJson.h"
 
 namespace vestige {
 namespace {
@@ -104,6 +105,8 @@ Json caseJson(const SceneState& scene, const PathText& pathText) {
     json["measurements"] = Json::array();
     for (const auto& measurement : scene.measurements)
         json["measurements"].push_back(measurementJson(measurement));
+    for (const SavedView& view : scene.savedViews) json["saved_views"].push_back(savedViewJson(view));
+    for (const SceneObject& object : scene.objects) json["objects"].push_back(objectJson(object));
     if (scene.views.empty()) return json;
     json["views"] = Json::object();
     for (const auto& [name, camera] : scene.views) {
@@ -117,7 +120,7 @@ Json caseJson(const SceneState& scene, const PathText& pathText) {
 void readCaseJson(const JsonCursor& root, const std::filesystem::path& folder, SceneState& scene) {
     readVersion(root);
     root.warnOfOthers({"vestige", "name", "operator", "site", "layers", "preprocess", "registration",
-                       "measurements", "views"});
+                       "measurements", "objects", "views", "saved_views"});
     if (const auto name = root.find("name")) scene.name = name->text();
     if (const auto operatorName = root.find("operator")) scene.operatorName = operatorName->text();
     if (const auto site = root.find("site")) scene.site = readSite(*site);
@@ -146,6 +149,28 @@ void readCaseJson(const JsonCursor& root, const std::filesystem::path& folder, S
                 item.at("object").reject("two measurements are called '" + measurement.object + "'",
                                          "expected names that differ");
             scene.measurements.push_back(std::move(measurement));
+        }
+    }
+    if (const auto saved = root.find("saved_views")) {
+        std::set<std::string> names;
+        for (const auto& item : saved->elements()) {
+            SavedView view = readSavedView(item);
+            if (!names.insert(view.name).second)
+                item.at("name").reject("two saved views are called '" + view.name + "'",
+                                       "expected names that differ");
+            scene.savedViews.push_back(std::move(view));
+        }
+    }
+    if (const auto objects = root.find("objects")) {
+        std::set<std::string> names;
+        for (const auto& item : objects->elements()) {
+            SceneObject object = readObject(item);
+            if (!names.insert(object.name).second)
+                item.at("name").reject("two objects are called '" + object.name + "'",
+                                       "expected names that differ");
+            if (!scene.layer(object.layer))
+                item.at("layer").warn("the case has no layer '" + object.layer + "'");
+            scene.objects.push_back(std::move(object));
         }
     }
     if (const auto views = root.find("views")) {

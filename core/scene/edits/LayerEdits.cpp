@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/scene/Cleaning.h"
 #include "core/scene/Edits.h"
 #include "core/scene/SameData.h"
 #include "core/scene/casefile/CaseJson.h"
@@ -90,7 +91,10 @@ class ChangeLayer final : public SceneEdit {
         std::swap(held, layer_);
         // Data that was attached after this edit was made, or undone, belongs to the file, not to the edit.
         if (!readsTheSame(held, layer_)) return;
-        if (!held.data) held.data = layer_.data;
+        // So does what a job made of them in the meantime; the history then holds them only as loaded.
+        const bool sameLoaded = loadedData(held) && loadedData(held) == loadedData(layer_);
+        if (!held.data || sameLoaded) held.data = layer_.data;
+        if (sameLoaded) layer_.data = loadedData(layer_);
         if (!held.evidence) held.evidence = layer_.evidence;
     }
 

@@ -9,6 +9,7 @@ namespace vestige {
 namespace {
 
 PickedPoint& pointOf(SceneState& scene, const MovedPick& pick) {
+    if (pick.place) return scene.measurements[pick.measurement].paths.at(pick.key)[pick.repeat][*pick.place];
     PickedPair& pair = scene.measurements[pick.measurement].picks.at(pick.key)[pick.repeat];
     return pick.second ? pair.b : pair.a;
 }
@@ -22,9 +23,31 @@ struct AnchoredPick {
     bool placedBefore = false;
 };
 
+/// The points of paths, as the ends of pairs below.
+void anchorPaths(const SceneState& scene, std::size_t m, std::vector<AnchoredPick>& anchored) {
+    for (const auto& [key, paths] : scene.measurements[m].paths) {
+        for (std::size_t r = 0; r < paths.size(); ++r) {
+            for (std::size_t i = 0; i < paths[r].size(); ++i) {
+                const PickedPoint& point = paths[r][i];
+                const Layer* layer = scene.layer(point.layer);
+                if (!layer || !(point.inLayerFrame || isPlaced(scene, *layer))) continue;
+                const Similarity toScene = sceneFromLayer(*layer);
+                auto fitted = sceneFeature(scene, point);
+                if (fitted) fitted = moved(*fitted, toScene.inverse());
+                anchored.push_back({{m, key, r, false, point, i},
+                                    toScene.inverse() * scenePosition(scene, point),
+                                    std::move(fitted),
+                                    toScene,
+                                    isPlaced(scene, *layer)});
+            }
+        }
+    }
+}
+
 std::vector<AnchoredPick> anchoredPicks(const SceneState& scene) {
     std::vector<AnchoredPick> anchored;
     for (std::size_t m = 0; m < scene.measurements.size(); ++m) {
+        anchorPaths(scene, m, anchored);
         for (const auto& [key, pairs] : scene.measurements[m].picks) {
             for (std::size_t r = 0; r < pairs.size(); ++r) {
                 for (const bool second : {false, true}) {

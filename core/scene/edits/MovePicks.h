@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct MovedPick {
     std::size_t repeat = 0;
     bool second = false;  ///< the pair's b
     PickedPoint before;
+    std::optional<std::size_t> place = std::nullopt;  ///< of a path: which of its points
 };
 
 /// Runs `change`, which may move layers but touches no measurement, and rewrites the picks that were made on

@@ -66,6 +66,43 @@ class RemovePick final : public SceneEdit {
     PickedPair removed_;
 };
 
+class MovePick final : public SceneEdit {
+  public:
+    MovePick(std::string object, std::string layer, std::size_t repeat, bool second, PickedPoint point)
+        : object_(std::move(object)),
+          layer_(std::move(layer)),
+          repeat_(repeat),
+          second_(second),
+          other_(std::move(point)) {}
+
+    bool apply(SceneState& scene) override {
+        PickedPoint* end = find(scene);
+        if (!end || *end == other_) return false;
+        std::swap(*end, other_);
+        return true;
+    }
+    void revert(SceneState& scene) override { std::swap(*find(scene), other_); }
+    std::string describe() const override {
+        return "move pick " + object_ + ", repeat " + std::to_string(repeat_ + 1);
+    }
+
+  private:
+    PickedPoint* find(SceneState& scene) const {
+        Measurement* held = scene.measurement(object_);
+        if (!held) return nullptr;
+        const auto found = held->picks.find(layer_);
+        if (found == held->picks.end() || repeat_ >= found->second.size()) return nullptr;
+        PickedPair& pair = found->second[repeat_];
+        return second_ ? &pair.b : &pair.a;
+    }
+
+    std::string object_;
+    std::string layer_;
+    std::size_t repeat_;
+    bool second_;
+    PickedPoint other_;  ///< what is not in the scene: the new end, after apply() the old one
+};
+
 }  // namespace
 
 std::unique_ptr<SceneEdit> addPick(std::string object, std::string layer, PickedPair pair) {
@@ -74,6 +111,11 @@ std::unique_ptr<SceneEdit> addPick(std::string object, std::string layer, Picked
 
 std::unique_ptr<SceneEdit> removePick(std::string object, std::string layer, std::size_t repeat) {
     return std::make_unique<RemovePick>(std::move(object), std::move(layer), repeat);
+}
+
+std::unique_ptr<SceneEdit> movePick(std::string object, std::string layer, std::size_t repeat, bool second,
+                                    PickedPoint point) {
+    return std::make_unique<MovePick>(std::move(object), std::move(layer), repeat, second, std::move(point));
 }
 
 }  // namespace vestige

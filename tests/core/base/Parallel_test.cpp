@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
+
+#include "core/base/CancelScope.h"
+#include "core/base/Result.h"
 
 using namespace vestige;
 
@@ -43,4 +49,27 @@ TEST(Parallel, AnExceptionLeavesTheLoop) {
                                  if (begin == 500) throw std::runtime_error("stop");
                              }),
                  std::runtime_error);
+}
+
+TEST(Parallel, LoopsEndWhenTheirJobIsCancelled) {
+    const JobControl control;
+    std::atomic<int> chunks = 0;
+    {
+        const CancelScope scope(control);
+        const Status done = guarded("the loop", [&]() -> Status {
+            parallelFor(100'000, 1, [&](std::size_t, std::size_t) {
+                if (++chunks == 10) control.cancel();
+                std::this_thread::sleep_for(std::chrono::microseconds(20));
+            });
+            return {};
+        });
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().code, ErrorCode::cancelled);
+        EXPECT_LT(chunks, 50'000);
+        EXPECT_THROW(throwIfCancelled(), ErrorException);
+    }
+    std::size_t all = 0;
+    parallelFor(100, 100, [&](std::size_t begin, std::size_t end) { all += end - begin; });
+    EXPECT_EQ(all, 100U) << "outside of the scope nothing is cancelled";
+    throwIfCancelled();
 }

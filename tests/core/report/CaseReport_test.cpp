@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include "core/base/Translation.h"
 #include "core/geometry/PointCloudBuilder.h"
+#include "core/report/TranslateReport.h"
 #include "tests/core/report/MeasuredExample.h"
 #include "tests/core/report/ReportText.h"
+#include "tests/support/EnglishLeft.h"
 
 namespace vestige {
 namespace {
@@ -139,6 +142,63 @@ TEST_F(CaseReportTest, PlacesPicturesWhereTheyBelong) {
     EXPECT_LT(report.find("# Registration"), report.find("Front before\n"));
     EXPECT_LT(report.find("# Measured lengths"), report.find("The box\n"));
     EXPECT_THAT(report, Not(HasSubstr("Another layer")));
+}
+
+TEST_F(CaseReportTest, IsWhollyChineseWhereItIsAskedFor) {
+    RegistrationResult& result = *scene.layers[1].registration;
+    result.notes = {"unit recognised as mm: The file of the source says that it is in millimetres"};
+    result.verdict = Verdict::doubtful;
+    result.reasons = {
+        "a pose 35 mm away fits as well",
+        "the data do not hold the scan: it tilts about a level axis that runs roughly north-south "
+        "(4\u00b0 from the y axis)"};
+    result.quality.emplace();
+    result.quality->restarts = {4, 3, 0.001, 0.002};
+    result.quality->residuals = {0.001, {1, 20, 3}, 2};
+    for (Layer& layer : scene.layers) {
+        auto data = std::make_shared<LayerData>(*layer.data);
+        data->info.warnings = {"not kept: alpha", "12 points without finite coordinates left out"};
+        layer.data = data;
+    }
+    auto damaged = std::make_shared<LayerData>(*scene.layers[1].data);
+    damaged->info.damage = "the last 12 bytes of the file are missing";
+    scene.layers[1].data = damaged;
+    JointAdjustment adjustment;
+    AdjustedPair lost;
+    lost.to = "front";
+    lost.from = "aerial";
+    lost.whyNot = "its covariance is not positive definite";
+    adjustment.pairs = {lost};
+    adjustment.loops = {{{"aerial", "front"}, 0.0123, 0.01, 31.5, 0.00002}};
+    adjustment.degreesOfFreedom = 6;
+    for (MeasuredLength& length : measured.lengths)
+        if (!length.note.empty()) length.note = "picked on 'Roof', which this case does not have";
+    const ReportInput input{scene,
+                            measured,
+                            {"the registration of front is doubtful: a pose 35 mm away fits as well"},
+                            {},
+                            {{"Registering the scans", 75}},
+                            {{"Vestige", "0.1"}},
+                            "2026-11-22T07:00:00Z",
+                            &adjustment};
+    setLanguage(Language::simplifiedChinese);
+    const Report report = translated(caseReport(input), language());
+    setLanguage(Language::english);
+    EXPECT_EQ(report.title, "现场测量报告");
+    EXPECT_EQ(report.date, "2026 年 11 月 22 日 07:00 (UTC)");
+    EXPECT_EQ(report.caseName, "Two cars");
+    const std::string chinese = test::textOf(report);
+    const std::set<std::string> names{"Two cars",         "M. Muster", "aerial", "front", "Length",
+                                      "Width, \"front\"", "Handle",    "Box",    "Wheel", "Carton",
+                                      "Bicycle",          "alpha",     "Roof"};
+    EXPECT_THAT(test::englishLeft(chinese, names), testing::IsEmpty()) << chinese;
+    // What was measured is the same in every language.
+    const std::string english = test::textOf(caseReport(input));
+    for (const std::string& figure :
+         std::vector<std::string>{"12.3", "78\u00a0%", "+20.00 *", "31.5", std::string(64, 'b')}) {
+        EXPECT_THAT(english, HasSubstr(figure));
+        EXPECT_THAT(chinese, HasSubstr(figure));
+    }
 }
 
 TEST_F(CaseReportTest, LeavesOutSectionsWithNothingToSay) {

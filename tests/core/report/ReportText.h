@@ -30,6 +30,11 @@ inline void appendText(std::string& text, const LineChart& block) {
     for (const auto& series : block.series) text += series.name + "\n";
 }
 
+inline void appendText(std::string& text, const Diagram& block) {
+    text += block.caption + "\n";
+    for (const auto& series : block.series) text += series.name + "\n";
+}
+
 /// Everything that a report says, in its order.
 inline std::string textOf(const Report& report) {
     std::string text = report.title + "\n" + report.subtitle + "\n" + report.caseName + "\n";

@@ -16,10 +16,21 @@ namespace {
 TEST(MeasurementsCsv, HasTheContractsColumnsAndExactNumbers) {
     const MeasuredScene scene = test::measuredExample();
     const auto rows = parseCsv(measurementsCsv(scene), "csv").value();
-    const std::vector<std::string> head{
-        "object",       "method",          "tape_m",      "measured_1_m",           "measured_2_m",
-        "measured_3_m", "measured_mean_m", "repeat_sd_m", "expanded_uncertainty_m", "re",
-        "excluded",     "small"};
+    const std::vector<std::string> head{"object",
+                                        "method",
+                                        "tape_m",
+                                        "measured_1_m",
+                                        "measured_2_m",
+                                        "measured_3_m",
+                                        "measured_mean_m",
+                                        "repeat_sd_m",
+                                        "expanded_uncertainty_m",
+                                        "re",
+                                        "excluded",
+                                        "kind",
+                                        "horizontal_m",
+                                        "vertical_m",
+                                        "small"};
     ASSERT_EQ(rows.size(), scene.lengths.size() + 1);
     EXPECT_EQ(rows[0].cells, head);
     EXPECT_EQ(rows[3].cells[0], "Width, \"front\"");
@@ -32,8 +43,21 @@ TEST(MeasurementsCsv, HasTheContractsColumnsAndExactNumbers) {
 
 TEST(MeasurementsCsv, LeavesCellsEmptyWhereNothingWasMeasuredOrRepeated) {
     const auto rows = parseCsv(measurementsCsv(test::measuredExample()), "csv").value();
-    const std::vector<std::string> notMeasured{
-        "Width, \"front\"", "photogrammetry", "1.84", "", "", "", "", "", "", "", "false", "false"};
+    const std::vector<std::string> notMeasured{"Width, \"front\"",
+                                               "photogrammetry",
+                                               "1.84",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "",
+                                               "false",
+                                               "",
+                                               "",
+                                               "",
+                                               "false"};
     EXPECT_EQ(rows[4].cells, notMeasured);
     EXPECT_FALSE(rows[2].cells[3].empty());
     EXPECT_EQ(rows[2].cells[4], "") << "one repeat";
@@ -45,11 +69,11 @@ TEST(MeasurementsCsv, KeepsEveryRepeat) {
     MeasuredScene scene;
     scene.lengths.push_back(test::measuredRow("Length", "lidar", 2, {2.01, 2.02, 2.03, 2.04, 2.05}));
     const auto rows = parseCsv(measurementsCsv(scene), "csv").value();
-    ASSERT_EQ(rows[0].cells.size(), 14u);
+    ASSERT_EQ(rows[0].cells.size(), 17u);
     EXPECT_EQ(rows[0].cells[10], "excluded");
     EXPECT_EQ(rows[0].cells[12], "measured_5_m");
     EXPECT_EQ(rows[1].cells[5], "2.03");
-    EXPECT_EQ(rows[0].cells[13], "small");
+    EXPECT_EQ(rows[0].cells[16], "small");
     EXPECT_EQ(rows[1].cells[12], "2.05");
 }
 

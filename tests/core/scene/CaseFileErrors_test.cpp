@@ -121,7 +121,7 @@ TEST(CaseFileErrors, HostileDepthAndSizeEndWithASentence) {
     EXPECT_EQ(errorOf(many + "{}]}"), "case.json: the JSON holds more values than any case");
     // Brackets and commas inside text count for nothing.
     EXPECT_EQ(errorOf(R"({"vestige":1,"name":")" + std::string(2000, '[') + R"(\",\\"})"), "it was read");
-    EXPECT_EQ(errorOf(std::string(17 << 20, ' ')),
+    EXPECT_EQ(errorOf(std::string(65 << 20, ' ')),
               "case.json: the file is larger than a file of this kind can be");
     EXPECT_EQ(errorOf(R"({"vestige":1,"layers":[)" + std::string(1000000, '7') + "]}").substr(0, 12),
               "case.json: a");

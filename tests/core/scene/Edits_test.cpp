@@ -259,6 +259,26 @@ TEST(PickEdits, AddAndRemove) {
     expectNothing(removePick("absent", "aerial", 0));
 }
 
+TEST(PickEdits, MoveOneEnd) {
+    const PickedPair before = sampleScene().measurements[0].picks.at("aerial")[1];
+    PickedPoint point{"aerial", {7, 8, 9}, 0.02, false};
+    point.fitted = FittedFeature{.mode = SnapMode::edge, .position = {7, 8, 9.01}};
+    const auto edit = movePick("Length of the vehicle", "aerial", 1, true, point);
+    EXPECT_EQ(edit->describe(), "move pick Length of the vehicle, repeat 2");
+    const SceneState after = changed(movePick("Length of the vehicle", "aerial", 1, true, point));
+    EXPECT_EQ(after.measurements[0].picks.at("aerial")[1].b, point);
+    EXPECT_EQ(after.measurements[0].picks.at("aerial")[1].a, before.a);
+    EXPECT_EQ(changed(movePick("Length of the vehicle", "aerial", 1, false, point))
+                  .measurements[0]
+                  .picks.at("aerial")[1]
+                  .b,
+              before.b);
+    expectNothing(movePick("Length of the vehicle", "aerial", 1, true, before.b));
+    expectNothing(movePick("Length of the vehicle", "aerial", 2, true, point));
+    expectNothing(movePick("Length of the vehicle", "absent", 0, true, point));
+    expectNothing(movePick("absent", "aerial", 0, true, point));
+}
+
 TEST(CaseEdits, DetailsAndViews) {
     EXPECT_EQ(changed(setCaseDetails("Other", "Operator", std::nullopt)).name, "Other");
     expectNothing(setCaseDetails("Crossing", "M\xc3\xbcller, \"K\"", Site{52.1, -0.3, 34.5}));

@@ -68,9 +68,9 @@ TEST(FittedPicks, AreMeasuredBesideThePointsPicked) {
     const MeasuredLength fitted = row("lidar fitted");
     EXPECT_NEAR(single.length->repeats_m[0], Vec(0.48, 0.05, 0.03).norm(), 1e-12);
     EXPECT_NEAR(fitted.length->mean_m, 0.502, 1e-12);  // at right angles to both edges
-    // Both ends across the edges, and the turn of their mean direction over the 5 cm along them.
-    const double turn = 0.5 * std::hypot(0.01, 0.01) * 0.05;
-    EXPECT_NEAR(*fitted.length->standardUncertainty_m, std::sqrt(8e-6 + turn * turn), 1e-9);
+    // The edges' own places, and their directions over the half of 0.05 m that the places lie apart along
+    // them.
+    EXPECT_NEAR(*fitted.length->standardUncertainty_m, std::sqrt(8e-6 + 2 * std::pow(0.025 * 0.01, 2)), 1e-9);
     EXPECT_LT(*fitted.length->expandedUncertainty_m, *single.length->expandedUncertainty_m);
     EXPECT_TRUE(fitted.fitted && !single.fitted && !fitted.small);
     // An object none of whose picks has a feature counts by its points, and says so.

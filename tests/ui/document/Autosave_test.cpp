@@ -7,8 +7,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QTest>
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <optional>
 #include <thread>
 
 #include "core/scene/CaseFile.h"
@@ -137,6 +140,109 @@ TEST_F(AutosaveTest, SavingAsThatFailsLeavesNothing) {
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(document.state().file, place);
     EXPECT_TRUE(autosave->save(folder / "new.vestige"));
+}
+
+/// Of a save that goes on beside the editing.
+class SavingAside : public AutosaveTest {
+  public:
+    void begin(const fs::path& file) {
+        told.reset();
+        autosave->saveAside(file, [this](const Status& status) { told = status; });
+    }
+    void settle() {
+        for (int i = 0; i < kLong_ms / 10 && !told; ++i) QTest::qWait(10);
+        ASSERT_TRUE(told) << "nobody was told";
+        EXPECT_FALSE(autosave->saving());
+    }
+    std::optional<Status> told;
+};
+
+TEST_F(SavingAside, TakesTheCaseAsItWasAndEditsGoOn) {
+    edit("one");
+    begin(place);
+    edit("two");
+    EXPECT_TRUE(autosave->saving());
+    EXPECT_EQ(autosave->text(), "Saving…");
+    settle();
+    ASSERT_TRUE(*told) << told->error().sentence();
+    EXPECT_EQ(readCase(place)->operatorName, "one");
+    EXPECT_EQ(document.state().operatorName, "two");
+    EXPECT_TRUE(document.modified());
+    document.undo();
+    EXPECT_FALSE(document.modified());
+    document.redo();
+    ASSERT_TRUE(autosave->flush(kLong_ms));
+    autosave.reset();
+    EXPECT_EQ(recovered(), "two") << "the edit after the save is kept";
+}
+
+TEST_F(SavingAside, ElsewhereTheEditsMadeMeanwhileGoAlong) {
+    const fs::path other = folder / "other.vestige";
+    edit("one");
+    begin(other);
+    edit("two");
+    settle();
+    ASSERT_TRUE(*told) << told->error().sentence();
+    EXPECT_EQ(document.state().file, other);
+    EXPECT_EQ(readCase(other)->operatorName, "one");
+    EXPECT_TRUE(document.modified());
+    ASSERT_TRUE(autosave->flush(kLong_ms));
+    autosave.reset();
+    EXPECT_EQ(recovered(), "nothing") << "the case before has no edits any more";
+    const auto found = CaseSession(Autosaves(folder / "user"), other).takeRecovered();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->state.operatorName, "two");
+}
+
+TEST_F(SavingAside, WaitsForTheDiskWithoutHoldingTheWindow) {
+    auto hung = std::make_unique<HungDisk>(place);
+    edit("one");
+    begin(place);
+    edit("two");
+    QTest::qWait(50);
+    EXPECT_FALSE(told);
+    hung.reset();
+    settle();
+    EXPECT_TRUE(*told);
+    EXPECT_EQ(readCase(place)->operatorName, "one");
+}
+
+TEST_F(SavingAside, OneAfterTheOther) {
+    edit("one");
+    begin(place);
+    const fs::path other = folder / "other.vestige";
+    edit("two");
+    std::optional<Status> second;
+    autosave->saveAside(other, [&](const Status& status) { second = status; });
+    for (int i = 0; i < kLong_ms / 10 && !second; ++i) QTest::qWait(10);
+    ASSERT_TRUE(told && second);
+    EXPECT_TRUE(*told);
+    ASSERT_TRUE(*second) << second->error().sentence();
+    EXPECT_EQ(readCase(place)->operatorName, "one");
+    EXPECT_EQ(readCase(other)->operatorName, "two");
+    EXPECT_FALSE(document.modified());
+}
+
+TEST_F(SavingAside, ACaseThatIsLeftMeanwhileIsSavedAndLeft) {
+    edit("one");
+    begin(place);
+    document.replace(SceneState());
+    settle();
+    EXPECT_TRUE(*told);
+    EXPECT_EQ(readCase(place)->operatorName, "one");
+    EXPECT_TRUE(document.state().file.empty());
+    EXPECT_FALSE(document.modified());
+}
+
+TEST_F(SavingAside, FailuresAreToldAndChangeNothing) {
+    edit("one");
+    std::ofstream(folder / "a file") << "no folder";
+    begin(folder / "a file" / "night.vestige");
+    settle();
+    ASSERT_FALSE(*told);
+    EXPECT_EQ(told->error().code, ErrorCode::output);
+    EXPECT_EQ(document.state().file, place);
+    EXPECT_TRUE(document.modified());
 }
 
 }  // namespace

@@ -413,7 +413,7 @@ TEST_F(KeptLoading, TheHashThatComesAfterAFirstLookIsKeptToo) {
         ASSERT_TRUE(window->autosave.flush(20000));
     }
     const auto window = start();
-    const auto left = window->autosave.abandoned();
+    const auto left = window->autosave.opener().abandoned();
     ASSERT_EQ(left.size(), 1U);
     EXPECT_NE(left[0].content.drafts.at(0).find(sha256), std::string::npos);
 }

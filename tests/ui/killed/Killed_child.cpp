@@ -80,7 +80,7 @@ class Worker {
         must(content.has_value());
         if (!content->saved)  // killed before its first save was done
             return must(autosave_.save(place()).has_value());
-        auto session = autosave_.open(place());
+        auto session = autosave_.opener().open(place());
         must(session->readOnly().empty());
         auto saved = readCase(place());
         must(saved.has_value());

@@ -2,13 +2,18 @@
 
 #include <QImage>
 #include <QProcess>
+#include <QRawFont>
 #include <QRegularExpression>
 #include <fstream>
+#include <set>
 
 #include <gtest/gtest.h>
 #include "core/base/AtomicFile.h"
+#include "core/base/Catalogue.h"
+#include "core/base/Translation.h"
 #include "tests/support/TestPaths.h"
 #include "tests/ui/print/PdfFile.h"
+#include "ui/print/PageStyle.h"
 
 namespace vestige {
 namespace {
@@ -113,6 +118,56 @@ TEST_F(PdfPrinting, GivesItsTextToWhoeverSearchesOrCopies) {
     for (const char* part :
          {sentence.c_str(), "SHA-256", "Right rear-view mirror of vehicle 1", "0.2143", "+2.0"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
+}
+
+/// Everything that is set now is Chinese.
+struct InChinese {
+    InChinese() { setLanguage(Language::simplifiedChinese); }
+    ~InChinese() { setLanguage(Language::english); }
+};
+
+TEST_F(PdfPrinting, SetsChineseThatCanBeSearchedAndCopied) {
+    const InChinese chinese;
+    Report report = reportOfEveryBlock(translucentPng(folder), 60);
+    report.title = "现场测量报告";
+    const std::string sentence = "扩展不确定度为 0.014 m（95 %），见“长度的不确定度”；SHA-256: 2026-11-22。";
+    std::string longOne;
+    for (int i = 0; i < 12; ++i) longOne += sentence;
+    report.sections.front().blocks = {Paragraph{sentence}, Paragraph{longOne}};
+    ASSERT_TRUE(PdfPrinter().printPdf(report, pdf, {}));
+    objects = readPdf(pdf);
+    const int fonts = countIn(QRegularExpression("/Type\\s*/FontDescriptor"));
+    EXPECT_GE(fonts, 1);
+    EXPECT_EQ(countIn(QRegularExpression("/FontFile[23]?\\s+\\d+ 0 R")), fonts);
+    EXPECT_EQ(countIn(QRegularExpression("/S\\s*/GTS_PDFA1")), 1);
+    QProcess reader;
+    reader.start("pdftotext", {"-layout", QString::fromStdString(pdf.string()), "-"});
+    if (!reader.waitForStarted()) GTEST_SKIP() << "pdftotext is not installed";
+    ASSERT_TRUE(reader.waitForFinished());
+    const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+    for (const char* part : {"现场测量报告", sentence.c_str(), "报告日期", "第 1 页，共", "（续）", "0.2143"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << " is not in:\n" << text.toStdString();
+    // Lines of Chinese break between characters, and none begins with a mark that closes something.
+    for (const QString& line : text.split('\n'))
+        EXPECT_FALSE(QStringLiteral("，。；：、）”").contains(line.trimmed().left(1)) &&
+                     !line.trimmed().isEmpty())
+            << line.toStdString();
+}
+
+TEST_F(PdfPrinting, HasAGlyphForEveryCharacterOfTheTranslations) {
+    const InChinese chinese;
+    const QRawFont font = QRawFont::fromFont(PageStyle().font(9));
+    const QRawFont symbols =
+        QRawFont::fromFont(QFont("DejaVu Sans"));  // stands in for what Chinese fonts lack
+    std::set<uint> missing;
+    for (const CatalogueEntry& entry : catalogue(Language::simplifiedChinese))
+        for (const uint character :
+             QString::fromUtf8(entry.translated.data(), static_cast<int>(entry.translated.size())).toUcs4())
+            if (character > 32 && !font.supportsCharacter(character) && !symbols.supportsCharacter(character))
+                missing.insert(character);
+    for (const uint character : missing)
+        ADD_FAILURE() << "no glyph for " << QString::fromUcs4(&character, 1).toStdString() << " in "
+                      << font.familyName().toStdString();
 }
 
 TEST_F(PdfPrinting, HoldsPicturesNoFinerThanPrintShows) {

@@ -395,5 +395,14 @@ TEST_F(Workstation, ACancelledRegistrationLeavesTheCaseAsItWas) {
     EXPECT_EQ(driver->textOf("edit.undo"), "Undo add yard, second scan");
 }
 
+TEST_F(Workstation, SaysHowLongItTookToAnswer) {
+    auto driver = startLoaded(false);
+    ASSERT_TRUE(driver->trigger("help.responsiveness"));
+    EXPECT_TRUE(driver->window().findChild<NoticeBar*>("notice")->text().contains("From now on"));
+    ASSERT_TRUE(driver->trigger("view.top"));
+    ASSERT_TRUE(driver->trigger("help.responsiveness"));
+    EXPECT_TRUE(driver->window().findChild<NoticeBar*>("notice")->text().contains("longest drawing call"));
+}
+
 }  // namespace
 }  // namespace vestige

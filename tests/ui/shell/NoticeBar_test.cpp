@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QToolButton>
+
 namespace vestige {
 namespace {
 
@@ -18,6 +20,26 @@ TEST(NoticeBar, OffersGoWhenTheyAreWithdrawnAndNothingElse) {
     notices.informOf("Written", "somewhere/report");
     notices.withdrawOffers();
     EXPECT_EQ(bar.text(), "Written");
+}
+
+TEST(NoticeBar, OfTwoFilesBothOffersCanBeTaken) {
+    Notices notices;
+    NoticeBar bar(notices);
+    QStringList taken;
+    const auto offer = [&](const char* name, const char* group) {
+        return Notices::Offer{name, [&taken, name] { taken << name; }, group};
+    };
+    notices.offer("Two are damaged", {offer("first", "a"), offer("second", "b"), offer("half of it", "b")});
+    notices.warn("The disk is full");
+    EXPECT_TRUE(bar.text().contains("The disk is full"));
+    EXPECT_TRUE(bar.text().contains("Two are damaged"));
+    bar.findChild<QToolButton*>("notice-button")->click();
+    EXPECT_EQ(taken, QStringList("first"));
+    notices.inform("Read");
+    EXPECT_TRUE(bar.text().contains("Two are damaged")) << "the other can still be taken";
+    bar.findChild<QToolButton*>("notice-button-2")->click();
+    EXPECT_EQ(taken, (QStringList{"first", "half of it"}));
+    EXPECT_EQ(bar.text(), "") << "one of the group is enough";
 }
 
 }  // namespace

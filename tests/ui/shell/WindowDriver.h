@@ -19,10 +19,14 @@ class PreparedAnswers : public FileChooser {
     QStringList filesToAdd(QWidget*) override { return files; }
     QString caseToSave(QWidget*, const QString&) override { return casePath; }
     QString csvToSave(QWidget*, const QString&) override { return csv; }
+    QString tableToOpen(QWidget*, const QString&) override { return table; }
+    QString sheetToSave(QWidget*, const QString&) override { return sheet; }
     QString folderForReport(QWidget*, const QString&) override { return folder; }
     Unsaved unsavedChanges(QWidget*, const QString&) override { return unsaved; }
 
-    QString casePath, csv, folder;
+    QString pictureToSave(QWidget*, const QString&) override { return picture; }
+
+    QString casePath, csv, folder, table, sheet, picture;
     QStringList files;
     Unsaved unsaved = Unsaved::discard;
 };

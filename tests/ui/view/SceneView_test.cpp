@@ -231,3 +231,19 @@ TEST(SceneView, ManyPointsAreFilledInWhileEventsGoOn) {
     while (clock.elapsed() < 60000 && picture() != complete) QTest::qWait(30);
     EXPECT_EQ(picture(), complete) << "added bit by bit, the picture ends as the one drawn at once";
 }
+
+TEST(SceneView, DrawsNoPointAgainForWhatIsPaintedOverThem) {
+    ViewDescription description = plainView(flatSquare(120), NamedView::perspective);
+    ShownView shown(description);
+    ASSERT_TRUE(shown.view.isComplete());
+    const QImage before = shown.view.grab();
+    const BoundingBox square = bounds(description);
+    description.marks.push_back({square.min, square.max, "1.414 m"});
+    shown.view.show(description);
+    EXPECT_TRUE(shown.view.isComplete());
+    EXPECT_NE(shown.view.grab(), before) << "the mark is there";
+    description.layers[0].tint = {10, 200, 10};
+    description.colorMode = ColorMode::source;
+    shown.view.show(description);
+    EXPECT_FALSE(shown.view.isComplete());
+}

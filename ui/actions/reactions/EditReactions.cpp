@@ -1,6 +1,7 @@
 #include "ui/actions/reactions/EditReactions.h"
 
 #include "core/scene/Edits.h"
+#include "core/scene/KindEdits.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
@@ -43,7 +44,11 @@ void EditReactions::removeLastPick() {
     const Measurement* measurement = bench_.document.state().measurement(bench_.selection.object());
     if (!measurement) return;
     const auto last = lastPick(*measurement, bench_.document.state(), bench_.selection.method());
-    if (last) bench_.document.perform(removePick(measurement->object, last->layer, last->repeat));
+    if (!last) return;
+    if (last->path)
+        bench_.document.perform(removePath(measurement->object, last->layer, last->repeat));
+    else
+        bench_.document.perform(removePick(measurement->object, last->layer, last->repeat));
 }
 
 }  // namespace vestige

@@ -8,6 +8,7 @@
 #include "ui/actions/FileChooser.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
+#include "ui/document/Outputs.h"
 #include "ui/document/Wording.h"
 #include "ui/jobs/JobRunner.h"
 
@@ -33,20 +34,30 @@ void ExportReactions::exportReport(const std::filesystem::path& folder) {
             const JobControl& control) { return reconstruct(scene, folder, renderer, printer, control); },
         [this, folder](Result<Reconstruction> made) {
             if (!made) return bench_.notices.failed(made.error());
+            bench_.outputs.add(Outputs::Kind::report, toQt(folder));
             QString sentence = tr("The report and %1 files are in %2.")
                                    .arg(made->outputs.size())
                                    .arg(toQt(folder.filename()));
-            if (!made->warnings.empty()) sentence += " " + QString::fromStdString(made->warnings.front());
+            if (!made->warnings.empty()) sentence += " " + said(made->warnings.front());
             bench_.notices.informOf(sentence, toQt(folder));
         });
 }
 
 void ExportReactions::exportCsv(const std::filesystem::path& file) {
-    if (const Status apart = isNoInput(bench_.document.state(), file); !apart)
-        return bench_.notices.failed(apart.error());
-    const Status written = writeTextFile(file, measurementsCsv(bench_.document.measured()));
-    if (!written) return bench_.notices.failed(written.error());
-    bench_.notices.informOf(tr("The measurements are in %1.").arg(toQt(file.filename())), toQt(file));
+    bench_.jobs.run<bool>(
+        tr("Writing %1").arg(toQt(file.filename())),
+        [scene = bench_.document.state(), measured = bench_.document.measured(),
+         file](const JobControl&) -> Result<bool> {
+            if (const Status apart = isNoInput(scene, file); !apart) return fail(apart.error());
+            if (const Status written = writeTextFile(file, measurementsCsv(measured)); !written)
+                return fail(written.error());
+            return true;
+        },
+        [this, file](Result<bool> written) {
+            if (!written) return bench_.notices.failed(written.error());
+            bench_.outputs.add(Outputs::Kind::table, toQt(file));
+            bench_.notices.informOf(tr("The measurements are in %1.").arg(toQt(file.filename())), toQt(file));
+        });
 }
 
 }  // namespace vestige

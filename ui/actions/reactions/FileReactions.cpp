@@ -1,5 +1,9 @@
 #include "ui/actions/reactions/FileReactions.h"
 
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <utility>
+
 #include "core/scene/CaseFile.h"
 #include "core/scene/SceneInputs.h"
 #include "ui/actions/ActionCatalog.h"
@@ -11,6 +15,7 @@
 #include "ui/document/Notices.h"
 #include "ui/document/RecentFiles.h"
 #include "ui/document/Wording.h"
+#include "ui/jobs/JobRunner.h"
 
 namespace vestige {
 
@@ -31,15 +36,12 @@ FileReactions::FileReactions(const Workbench& bench, QObject* parent) : QObject(
         if (file.empty())
             bench_.notices.inform(tr("This case was never saved, so there is nothing to reopen."));
         else if (mayLeave())
-            told(bench_.loader.openCase(file));
+            // What goes wrong is told by the loader.
+            static_cast<void>(bench_.loader.openCase(file));
     });
     actions.onTriggered("file.verify", [this] { bench_.evidence.verify(); });
     actions.onTriggered("file.quit", [this] { bench_.window.close(); });
     connect(&bench_.loader, &Loader::opened, &bench_.recent, &RecentFiles::add);
-}
-
-void FileReactions::told(const Status& status) {
-    if (!status) bench_.notices.failed(status.error());
 }
 
 void FileReactions::open(const QStringList& paths) {
@@ -49,54 +51,82 @@ void FileReactions::open(const QStringList& paths) {
             files.push_back(toPath(path));
             continue;
         }
-        if (mayLeave()) told(bench_.loader.openCase(toPath(path)));
+        if (mayLeave()) static_cast<void>(bench_.loader.openCase(toPath(path)));
         return;
     }
     // What a layer's file had to say was told while loading.
     static_cast<void>(bench_.loader.addFiles(files));
 }
 
-bool FileReactions::save() {
+std::filesystem::path FileReactions::place(bool another) {
     const auto& file = bench_.document.state().file;
-    if (bench_.autosave && !bench_.autosave->readOnly().isEmpty()) {
+    const bool readOnly = bench_.autosave && !bench_.autosave->readOnly().isEmpty();
+    if (readOnly && !another)
         bench_.notices.inform(
             tr("This case cannot be saved here: %1. Choose another name.").arg(bench_.autosave->readOnly()));
-        return saveAs();
-    }
-    return file.empty() ? saveAs() : saveTo(file);
-}
-
-bool FileReactions::saveAs() {
-    const auto& file = bench_.document.state().file;
+    if (!another && !readOnly && !file.empty()) return file;
     const QString suggestion = file.empty() ? bench_.document.title() + ".vestige" : toQt(file);
     QString path = bench_.chooser->caseToSave(&bench_.window, suggestion);
-    if (path.isEmpty()) return false;
-    if (!path.contains('.')) path += ".vestige";
-    return saveTo(toPath(path));
+    if (!path.isEmpty() && !path.contains('.')) path += ".vestige";
+    return toPath(path);
 }
 
-bool FileReactions::saveTo(const std::filesystem::path& file) {
-    if (const Status apart = isNoInput(bench_.document.state(), file); !apart) {
-        told(apart);
-        return false;
+void FileReactions::save() {
+    const auto file = place(false);
+    if (!file.empty()) saveTo(file, false);
+}
+
+void FileReactions::saveAs() {
+    const auto file = place(true);
+    if (!file.empty()) saveTo(file, false);
+}
+
+bool FileReactions::saveTo(const std::filesystem::path& file, bool wait) {
+    if (!bench_.autosave) {
+        const Status apart = isNoInput(bench_.document.state(), file);
+        return saved(file, apart ? bench_.document.save(file) : apart);
     }
-    const Status saved = bench_.autosave ? bench_.autosave->save(file) : bench_.document.save(file);
-    told(saved);
-    if (saved) bench_.recent.add(toQt(file));
-    return saved.has_value();
+    if (wait || bench_.jobs.immediate()) return saved(file, bench_.autosave->save(file, pump()));
+    bench_.autosave->saveAside(file, [this, file](const Status& status) { saved(file, status); });
+    return true;
+}
+
+bool FileReactions::saved(const std::filesystem::path& file, const Status& status) {
+    if (status)
+        bench_.recent.add(toQt(file));
+    else
+        bench_.notices.failed(status.error());
+    return status.has_value();
+}
+
+/// While the window waits for the disk it paints, and says what it waits for; the user cannot work in it.
+std::function<void()> FileReactions::pump() {
+    if (bench_.jobs.immediate()) return {};
+    return [this, told = false]() mutable {
+        if (!std::exchange(told, true)) bench_.notices.inform(tr("Waiting for the disk to take the case…"));
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    };
 }
 
 bool FileReactions::mayLeave() {
+    // What is being saved needs no question.
+    if (bench_.autosave && bench_.autosave->saving()) bench_.autosave->awaitSaves(pump());
     if (!bench_.document.modified()) return true;
     switch (bench_.chooser->unsavedChanges(&bench_.window, bench_.document.title())) {
-        case FileChooser::Unsaved::save:
-            return save();
+        case FileChooser::Unsaved::save: {
+            const auto file = place(false);
+            return !file.empty() && saveTo(file, true);
+        }
         case FileChooser::Unsaved::discard:
             return true;
         case FileChooser::Unsaved::stay:
             break;
     }
     return false;
+}
+
+void FileReactions::leave() {
+    if (bench_.autosave) bench_.autosave->end(pump());
 }
 
 }  // namespace vestige

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 
 #include "core/base/Result.h"
 #include "ui/actions/Workbench.h"
@@ -17,15 +18,19 @@ class FileReactions : public QObject {
 
     /// Cases are opened (the first of them), other files added.
     void open(const QStringList& paths);
-    /// False when it was not saved: refused by the user or failed.
-    bool save();
-    bool saveAs();
-    /// Asks about unsaved changes; false when the user wants to stay.
+    void save();
+    void saveAs();
+    /// Asks about unsaved changes; false when the user wants to stay, or they could not be saved.
     bool mayLeave();
+    /// Before the window closes: the user's changes are saved or not wanted.
+    void leave();
 
   private:
-    bool saveTo(const std::filesystem::path& file);
-    void told(const Status& status);
+    /// Where the case is to be saved; asks for it. Empty: nowhere.
+    std::filesystem::path place(bool another);
+    bool saveTo(const std::filesystem::path& file, bool wait);
+    bool saved(const std::filesystem::path& file, const Status& status);
+    std::function<void()> pump();
 
     Workbench bench_;
 };

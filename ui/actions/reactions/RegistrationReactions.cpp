@@ -2,9 +2,11 @@
 
 #include <QSignalBlocker>
 
+#include "core/base/Translation.h"
 #include "core/pipeline/RegisterLayers.h"
 #include "core/pipeline/RegisterTogether.h"
 #include "core/pipeline/ResolveAims.h"
+#include "core/scene/CleanedData.h"
 #include "core/scene/Edits.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/document/Attempts.h"
@@ -15,6 +17,7 @@
 #include "ui/document/Presentation.h"
 #include "ui/document/Preview.h"
 #include "ui/document/Selection.h"
+#include "ui/document/Wording.h"
 #include "ui/jobs/JobRunner.h"
 
 namespace vestige {
@@ -47,6 +50,7 @@ RegistrationReactions::RegistrationReactions(const Workbench& bench, QObject* pa
         bench_.attempts.showPreview(described(), on);
         follow();
     });
+    actions.onToggled("register.watch", [this](bool on) { watch_ = on; });
     actions.onTriggered("register.clear", [this] {
         bench_.document.perform(setRegistration(bench_.selection.layer(), std::nullopt));
     });
@@ -105,7 +109,7 @@ void RegistrationReactions::run(const std::vector<std::string>& layers,
     const QString names = namesOf(scene, layers);
     bench_.preview.end();
     FitTrace::Watches watches;
-    if (bench_.actions["register.watch"].isChecked()) {
+    if (watch_) {
         bench_.comparison.setMode(std::nullopt);
         bench_.presentation.setOverlay(Overlay::registration);
         bench_.actions["view.panel-fit"].trigger();
@@ -113,13 +117,16 @@ void RegistrationReactions::run(const std::vector<std::string>& layers,
     }
     bench_.jobs.run<AttemptedLayers>(
         tr("Registering %1").arg(names),
-        [scene = std::move(scene), layers, watches](const JobControl& control) {
-            return attemptLayers(scene, layers, control, watches);
+        [scene = std::move(scene), layers, watches](const JobControl& control) -> Result<AttemptedLayers> {
+            SceneState cleaned = scene;
+            if (const Status applied = applyCleaning(cleaned, control.sub(0, 0)); !applied)
+                return fail(applied.error());
+            return attemptLayers(cleaned, layers, control, watches);
         },
         [this, names, start](Result<AttemptedLayers> all) {
             bench_.trace.finish();
             if (!all) return bench_.notices.failed(all.error());
-            bench_.document.begin(tr("register %1").arg(names));
+            bench_.document.begin("register " + names);
             QStringList sentences;
             bool entered = false;
             for (AttemptedLayer& one : all->layers) {
@@ -147,11 +154,11 @@ QString RegistrationReactions::take(const std::string& id, Result<RegistrationRe
         if (error.code == ErrorCode::untrustworthy)
             return tr("%1 was not registered: %2. Choose its start under Align, or Register from any pose "
                       "(Ctrl+Shift+G).")
-                .arg(name, QString::fromStdString(error.message));
-        return tr("%1 was not registered: %2.").arg(name, QString::fromStdString(error.sentence()));
+                .arg(name, said(error.message));
+        return tr("%1 was not registered: %2.").arg(name, QString::fromStdString(say(error)));
     }
     const QString reason =
-        result->reasons.empty() ? QString() : ": " + QString::fromStdString(result->reasons.front());
+        result->reasons.empty() ? QString() : tr(": %1").arg(said(result->reasons.front()));
     if (!result->trustworthy()) {
         const bool several = result->verdict == Verdict::ambiguous;
         bench_.attempts.set(id, std::move(*result));
@@ -191,7 +198,7 @@ void RegistrationReactions::resolveRecordedAims() {
         },
         [this](Result<Measurements> resolved) {
             if (!resolved) return bench_.notices.failed(resolved.error());
-            bench_.document.begin(tr("take recorded aims"));
+            bench_.document.begin("take recorded aims");
             for (Measurement& measurement : *resolved) {
                 std::string description = "aims of " + measurement.object;
                 bench_.document.perform(setMeasurement(std::move(measurement), std::move(description)));

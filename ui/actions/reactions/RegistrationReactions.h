@@ -40,6 +40,7 @@ class RegistrationReactions : public QObject {
     void enter(const std::string& id, RegistrationResult result, const std::optional<InitialPoseSpec>& start);
 
     Workbench bench_;
+    bool watch_ = false;  ///< keep the iterations of what is registered
 };
 
 }  // namespace vestige

@@ -13,7 +13,7 @@ std::string colorAction(ColorMode mode) {
 }
 
 constexpr ColorMode kColorModes[] = {ColorMode::source, ColorMode::height, ColorMode::intensity,
-                                     ColorMode::rgb};
+                                     ColorMode::rgb, ColorMode::classification};
 constexpr NamedView kViews[] = {NamedView::perspective, NamedView::top, NamedView::front, NamedView::left,
                                 NamedView::iso};
 
@@ -30,6 +30,9 @@ ViewReactions::ViewReactions(const Workbench& bench, QObject* parent) : QObject(
     for (const NamedView view : kViews)
         actions.onTriggered("view." + std::string(name(view)), [this, view] { emit namedViewWanted(view); });
     actions.onToggled("view.edl", [&shown](bool on) { shown.setEyeDomeLighting(on); });
+    actions.onToggled("view.grid", [&shown](bool on) { shown.setGrid(on); });
+    actions.onToggled("view.north", [&shown](bool on) { shown.setNorthArrow(on); });
+    actions.onToggled("view.near-size", [&shown](bool on) { shown.setSizeByDistance(on); });
     actions.onTriggered("view.larger-points", [&shown] { shown.setPointSize(shown.pointSize_px() + 1); });
     actions.onTriggered("view.smaller-points", [&shown] { shown.setPointSize(shown.pointSize_px() - 1); });
     actions.onToggled("view.light", [&shown](bool on) { shown.setTheme(on ? Theme::light : Theme::dark); });
@@ -53,6 +56,9 @@ void ViewReactions::follow() {
     for (const ColorMode mode : kColorModes) check(colorAction(mode), shown.colorMode() == mode);
     check("view.light", shown.theme() == Theme::light);
     check("view.edl", shown.eyeDomeLighting());
+    check("view.grid", shown.grid());
+    check("view.north", shown.northArrow());
+    check("view.near-size", shown.sizeByDistance());
     check("register.tint", shown.overlay() == Overlay::registration);
     check("register.residual", shown.overlay() == Overlay::residual);
     check("register.before", shown.before());

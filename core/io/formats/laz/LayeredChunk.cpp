@@ -29,8 +29,8 @@ bool LayeredChunk::open(std::span<const std::byte> bytes) {
     height_.begin(layers[kHeight]);
     intensity_.begin(layers[kIntensity]);
     flags_.begin(layers[kFlags]);
+    classification_.begin(layers[kClass]);
     if (!layout_.drawn) {
-        classification_.begin(layers[kClass]);
         source_.begin(layers[kSource]);
         time_.begin(layers[kTime]);
     }

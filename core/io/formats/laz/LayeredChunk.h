@@ -17,7 +17,7 @@ struct ChunkLayout {
     std::size_t layers = 0;
     bool colored = false;
     bool asVersion3 = false;  ///< see ColorLayer
-    bool drawn = false;       ///< only position, intensity, colour and flags; else all of LasPoint
+    bool drawn = false;       ///< only position, intensity, colour, class and flags; else all of LasPoint
 };
 
 /// A chunk of points that LASzip packed in layers (item versions 3 and 4): a whole point, the number of

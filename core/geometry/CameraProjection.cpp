@@ -1,0 +1,49 @@
+#include "core/geometry/CameraProjection.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace vestige {
+
+ViewCamera withProjection(const ViewCamera& camera, bool parallel) {
+    ViewCamera result = camera;
+    if (camera.parallel == parallel) return result;
+    result.parallel = parallel;
+    const double tangent = std::tan(0.5 * camera.verticalAngle_rad);
+    const double distance = (camera.focalPoint - camera.position).norm();
+    if (parallel)
+        result.halfHeight_m = distance * tangent;
+    else
+        result.position = camera.focalPoint - camera.halfHeight_m / tangent * camera.direction();
+    return result;
+}
+
+ViewCamera fromOtherSide(const ViewCamera& camera) {
+    ViewCamera result = camera;
+    const Eigen::Vector3d arm = camera.position - camera.focalPoint;
+    const Eigen::Vector3d forward = camera.direction();
+    if (std::abs(forward.z()) < 0.9) {
+        result.position = camera.focalPoint + Eigen::Vector3d(-arm.x(), -arm.y(), arm.z());
+        result.viewUp = {-camera.viewUp.x(), -camera.viewUp.y(), camera.viewUp.z()};
+        return result;
+    }
+    const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
+    result.position = camera.focalPoint - arm;
+    result.viewUp = right.cross(-forward).normalized();
+    return result;
+}
+
+ViewCamera resized(const ViewCamera& camera, int width_px, int height_px) {
+    ViewCamera result = camera;
+    result.width_px = width_px;
+    result.height_px = height_px;
+    const double before = static_cast<double>(camera.width_px) / camera.height_px;
+    const double after = static_cast<double>(width_px) / height_px;
+    const double taller = std::max(1.0, before / after);
+    result.halfHeight_m = camera.halfHeight_m * taller;
+    result.verticalAngle_rad = 2 * std::atan(std::tan(0.5 * camera.verticalAngle_rad) * taller);
+    return result;
+}
+
+}  // namespace vestige

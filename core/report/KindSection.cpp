@@ -1,0 +1,74 @@
+#include <algorithm>
+
+#include "core/base/Numbers.h"
+#include "core/measurement/kinds/KindSpec.h"
+#include "core/report/CaseReport.h"
+#include "core/report/QuantityText.h"
+#include "core/report/Wording.h"
+
+namespace vestige {
+namespace {
+
+/// Distances stand in the table of lengths already.
+bool isTold(const MeasuredKind& kind, MeasurementKind wanted) {
+    return kind.kind == wanted && wanted != MeasurementKind::distance && !kind.quantities.empty();
+}
+
+Table tableOf(const MeasuredScene& measured, const KindSpec& spec) {
+    Table table;
+    table.caption = spec.label;
+    table.columns = {"Object", "Method",        "Figure",    "Mean",  "n",
+                     "U 95 %", "95 % interval", "Reference", "RE (%)"};
+    table.numeric = {false, false, false, true, true, true, true, true, true};
+    for (const MeasuredKind& kind : measured.kinds) {
+        if (!isTold(kind, spec.kind)) continue;
+        for (std::size_t i = 0; i < kind.quantities.size(); ++i) {
+            const QuantityStatistic& each = kind.quantities[i];
+            const std::string uncertainty = quantityUncertaintyText(each);
+            table.rows.push_back(
+                {i == 0 ? kind.object : "", i == 0 ? kind.method : "", each.label,
+                 quantityValueText(each) + " " + std::string(readableSymbol(each.unit)),
+                 std::to_string(each.repeats.size()),
+                 each.expandedUncertainty ? "\u00b1" + uncertainty : uncertainty, quantityIntervalText(each),
+                 orDash(each.reference ? std::optional(exactText(*each.reference)) : std::nullopt),
+                 each.relativeError ? signedPercent(*each.relativeError) : "\u2013"});
+        }
+    }
+    return table;
+}
+
+Diagram diagramOf(const MeasuredKind& kind) {
+    Diagram diagram;
+    const bool crush = kind.kind == MeasurementKind::crush;
+    diagram.caption = kind.object + ", " + kind.method +
+                      (crush ? ": crush in plan, last repeat" : ": cross-section, last repeat");
+    diagram.xName = crush ? "Along the damage (m)" : "Along the section (m)";
+    diagram.yName = crush ? "Depth (m)" : "Height (m)";
+    for (const KindSeries& series : kind.series)
+        diagram.series.push_back({series.name, series.points, crush && series.name == "damaged"});
+    return diagram;
+}
+
+}  // namespace
+
+Section kindSection(const ReportInput& input) {
+    Section section{"Other figures", {}};
+    for (const KindSpec& spec : kindTable()) {
+        const auto& kinds = input.measured.kinds;
+        if (std::none_of(kinds.begin(), kinds.end(),
+                         [&](const MeasuredKind& kind) { return isTold(kind, spec.kind); }))
+            continue;
+        section.blocks.push_back(Paragraph{spec.label + ": " + spec.meaning});
+        section.blocks.push_back(tableOf(input.measured, spec));
+        for (const MeasuredKind& kind : kinds) {
+            if (!isTold(kind, spec.kind)) continue;
+            if (!kind.parameters.empty())
+                section.blocks.push_back(
+                    Paragraph{kind.object + ", " + kind.method + ", with " + kind.parameters + "."});
+            if (!kind.series.empty()) section.blocks.push_back(diagramOf(kind));
+        }
+    }
+    return section;
+}
+
+}  // namespace vestige

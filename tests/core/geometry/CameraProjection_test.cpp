@@ -1,0 +1,63 @@
+#include "core/geometry/CameraProjection.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+using namespace vestige;
+
+namespace {
+
+const BoundingBox kBox{{483000, 4375000, 30}, {483040, 4375020, 38}};
+
+ViewCamera oblique() {
+    return fitCamera(kBox, NamedView::perspective, 900, 600);
+}
+
+}  // namespace
+
+TEST(CameraProjection, KeepsWhatLiesAtTheFocalPointsDepth) {
+    const ViewCamera from = oblique();
+    const ViewCamera flat = withProjection(from, true);
+    ASSERT_TRUE(flat.parallel);
+    const Eigen::Vector3d right = from.direction().cross(from.viewUp).normalized();
+    for (const double aside : {-8.0, 0.0, 5.0}) {
+        const Eigen::Vector3d place = from.focalPoint + aside * right;
+        EXPECT_NEAR((from.project(place)->pixel - flat.project(place)->pixel).norm(), 0, 1e-6);
+    }
+    const ViewCamera back = withProjection(flat, false);
+    EXPECT_NEAR((back.position - from.position).norm(), 0, 1e-6);
+    EXPECT_FALSE(back.parallel);
+}
+
+TEST(CameraProjection, LooksFromTheOtherSide) {
+    const ViewCamera front = fitCamera(kBox, NamedView::front, 900, 600);
+    const ViewCamera back = fromOtherSide(front);
+    EXPECT_NEAR((back.direction() + front.direction()).norm(), 0, 1e-12);
+    EXPECT_NEAR((back.viewUp - front.viewUp).norm(), 0, 1e-12);
+    const ViewCamera top = fitCamera(kBox, NamedView::top, 900, 600);
+    const ViewCamera bottom = fromOtherSide(top);
+    EXPECT_NEAR((bottom.direction() - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+    // x keeps running to the right.
+    EXPECT_NEAR(bottom.project(bottom.focalPoint + Eigen::Vector3d::UnitX())->pixel.x(),
+                top.project(top.focalPoint + Eigen::Vector3d::UnitX())->pixel.x(), 1e-6);
+}
+
+TEST(CameraProjection, ShowsAllOfItInAPictureOfAnotherShape) {
+    for (const bool parallel : {false, true}) {
+        const ViewCamera from = withProjection(oblique(), parallel);
+        for (const auto& [width, height] : {std::pair(300, 900), std::pair(2000, 500), std::pair(900, 600)}) {
+            const ViewCamera to = resized(from, width, height);
+            for (const double x : {0.0, 900.0})
+                for (const double y : {0.0, 600.0}) {
+                    const ViewRay ray = from.ray({x, y});
+                    const Eigen::Vector3d corner = ray.from + 30 * ray.direction;
+                    const Eigen::Vector2d pixel = to.project(corner)->pixel;
+                    EXPECT_GE(pixel.x(), -1e-6);
+                    EXPECT_LE(pixel.x(), width + 1e-6);
+                    EXPECT_GE(pixel.y(), -1e-6);
+                    EXPECT_LE(pixel.y(), height + 1e-6);
+                }
+        }
+    }
+}

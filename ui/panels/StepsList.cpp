@@ -1,0 +1,46 @@
+#include "ui/panels/StepsList.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace vestige {
+
+StepsList::StepsList(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(2);
+}
+
+void StepsList::setSteps(const std::array<StepFacts, kWaySteps>& steps) {
+    QStringList lines;
+    std::vector<WayStep> places;
+    for (const StepFacts& facts : steps)
+        for (const QString& missing : facts.missing) {
+            lines << titleOf(facts.step) + ": " + missing;
+            places.push_back(facts.step);
+        }
+    if (lines == shown_ && column_->count() > 0) return;
+    shown_ = lines;
+    while (QLayoutItem* item = column_->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    if (lines.isEmpty()) {
+        auto* nothing = new QLabel(tr("Nothing is missing."));
+        nothing->setProperty("role", "muted");
+        column_->addWidget(nothing);
+        return;
+    }
+    for (int i = 0; i < lines.size(); ++i) {
+        auto* link = new QPushButton(lines[i]);
+        link->setProperty("role", "link");
+        link->setToolTip(tr("Go to %1").arg(titleOf(places[static_cast<std::size_t>(i)])));
+        link->setCursor(Qt::PointingHandCursor);
+        connect(link, &QPushButton::clicked, this,
+                [this, step = places[static_cast<std::size_t>(i)]] { emit chosen(step); });
+        column_->addWidget(link);
+    }
+}
+
+}  // namespace vestige

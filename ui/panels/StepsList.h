@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/document/Steps.h"
+
+class QVBoxLayout;
+
+namespace vestige {
+
+/// What is missing on the way to a report, a line each; a click goes to the step.
+class StepsList : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StepsList(QWidget* parent = nullptr);
+    void setSteps(const std::array<StepFacts, kWaySteps>& steps);
+
+  signals:
+    void chosen(vestige::WayStep step);
+
+  private:
+    QVBoxLayout* column_;
+    QStringList shown_;
+};
+
+}  // namespace vestige
