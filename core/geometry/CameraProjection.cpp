@@ -19,21 +19,6 @@ ViewCamera withProjection(const ViewCamera& camera, bool parallel) {
     return result;
 }
 
-ViewCamera fromOtherSide(const ViewCamera& camera) {
-    ViewCamera result = camera;
-    const Eigen::Vector3d arm = camera.position - camera.focalPoint;
-    const Eigen::Vector3d forward = camera.direction();
-    if (std::abs(forward.z()) < 0.9) {
-        result.position = camera.focalPoint + Eigen::Vector3d(-arm.x(), -arm.y(), arm.z());
-        result.viewUp = {-camera.viewUp.x(), -camera.viewUp.y(), camera.viewUp.z()};
-        return result;
-    }
-    const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
-    result.position = camera.focalPoint - arm;
-    result.viewUp = right.cross(-forward).normalized();
-    return result;
-}
-
 ViewCamera resized(const ViewCamera& camera, int width_px, int height_px) {
     ViewCamera result = camera;
     result.width_px = width_px;

@@ -90,14 +90,6 @@ void ScenePresenter::showNamedView(NamedView view) {
         frameView(placedOnly(models_.document.state(), described), view, now.width_px, now.height_px));
 }
 
-void ScenePresenter::showOtherSide(NamedView view) {
-    const ViewDescription& described = view_.description();
-    if (bounds(described).empty()) return;
-    const ViewCamera now = view_.camera();
-    const ViewDescription placed = placedOnly(models_.document.state(), described);
-    view_.setCamera(framed(placed, fromOtherSide(frameView(placed, view, now.width_px, now.height_px))));
-}
-
 void ScenePresenter::showAll() {
     if (bounds(view_.description()).empty()) return;
     const ViewDescription placed = placedOnly(models_.document.state(), view_.description());

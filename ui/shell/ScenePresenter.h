@@ -35,8 +35,6 @@ class ScenePresenter : public QObject {
     };
     ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent = nullptr);
     void showNamedView(NamedView view);
-    /// What is seen from there, seen from its other side: back for front.
-    void showOtherSide(NamedView view);
     /// Fills every pane with all that has its place, or with the section, seen from where its camera is.
     void showAll();
     /// World bounds of what has its place.
