@@ -66,7 +66,7 @@ class Painter {
         placePlot();
         paintGrid();
         for (std::size_t i = 0; i < chart_.categories.size(); ++i) paintGroup(i);
-        paintLegend();
+        legend(true);
         painter_.restore();
     }
 
@@ -76,7 +76,8 @@ class Painter {
         double axis = 0;
         for (double tick = scale_.low; tick <= scale_.high + 0.5 * scale_.step; tick += scale_.step)
             axis = std::max(axis, metrics_.horizontalAdvance(signedText(tick, scale_.step)));
-        plot_ = area_.adjusted(axis + em * 0.6, em * 1.7, 0, -0.3 * em);
+        plot_ = area_.adjusted(axis + em * 0.6, 0, 0, -0.3 * em);
+        plot_.setTop(area_.top() + legend(false) + 0.7 * em);
         group_ = plot_.width() / std::max<std::size_t>(1, chart_.categories.size());
         double labels = 0;
         if (style_.showCategories)
@@ -182,15 +183,23 @@ class Painter {
         painter_.drawRect(box.adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2));
     }
 
-    void paintLegend() {
+    /// Height of the legend, whose entries wrap.
+    double legend(bool paint) {
         const double em = metrics_.height();
         double x = plot_.left();
+        double y = area_.top();
         const auto entry = [&](const QColor& color, bool hollow, const QString& name) {
-            paintSwatch(QRectF(x, area_.top() + 0.2 * em, 0.62 * em, 0.62 * em), color, hollow);
-            painter_.setPen(style_.text);
-            painter_.drawText(QRectF(x + 0.9 * em, area_.top(), area_.right() - x, em),
-                              Qt::AlignLeft | Qt::AlignVCenter, name);
-            x += metrics_.horizontalAdvance(name) + 2.1 * em;
+            const double width = metrics_.horizontalAdvance(name) + 0.9 * em;
+            if (x > plot_.left() && x + width > area_.right()) {
+                x = plot_.left();
+                y += 1.15 * em;
+            }
+            if (paint) {
+                paintSwatch(QRectF(x, y + 0.2 * em, 0.62 * em, 0.62 * em), color, hollow);
+                painter_.setPen(style_.text);
+                painter_.drawText(QRectF(x + 0.9 * em, y, width, em), Qt::AlignLeft | Qt::AlignVCenter, name);
+            }
+            x += width + 1.2 * em;
         };
         bool anyExcluded = false;
         for (std::size_t s = 0; s < chart_.series.size(); ++s) {
@@ -199,9 +208,12 @@ class Painter {
             anyExcluded = anyExcluded || std::find(excluded.begin(), excluded.end(), true) != excluded.end();
         }
         if (anyExcluded) entry(style_.muted, true, QString::fromStdString(say("excluded (hollow)")));
-        painter_.setPen(style_.muted);
-        painter_.drawText(QRectF(area_.left(), area_.top(), plot_.left() - area_.left() - 0.4 * em, em),
-                          Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(chart_.unit));
+        if (paint) {
+            painter_.setPen(style_.muted);
+            painter_.drawText(QRectF(area_.left(), area_.top(), plot_.left() - area_.left() - 0.4 * em, em),
+                              Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(chart_.unit));
+        }
+        return y + em - area_.top();
     }
 
     QColor seriesColor(std::size_t s) const {

@@ -41,7 +41,11 @@ class WorkArea : public QWidget {
     /// A recent file was chosen.
     void chosen(const QString& path);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void showLeft();
     QWidget* makeLeft();
     QWidget* makeMiddle();
     QWidget* makeRight();
