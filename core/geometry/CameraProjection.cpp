@@ -19,6 +19,21 @@ ViewCamera withProjection(const ViewCamera& camera, bool parallel) {
     return result;
 }
 
+ViewCamera withRoomAbove(const ViewCamera& camera, int strip_px) {
+    ViewCamera result = camera;
+    result.height_px += strip_px;
+    const double grown = static_cast<double>(result.height_px) / camera.height_px;
+    const double distance = (camera.focalPoint - camera.position).norm();
+    const Eigen::Vector3d forward = camera.direction();
+    const Eigen::Vector3d up = forward.cross(camera.viewUp).normalized().cross(forward);
+    result.halfHeight_m *= grown;
+    if (!camera.parallel) result.position = camera.focalPoint - grown * distance * forward;
+    const Eigen::Vector3d shift = 0.5 * strip_px * camera.metresPerPixel(distance) * up;
+    result.position += shift;
+    result.focalPoint += shift;
+    return result;
+}
+
 ViewCamera resized(const ViewCamera& camera, int width_px, int height_px) {
     ViewCamera result = camera;
     result.width_px = width_px;

@@ -203,7 +203,7 @@ class Painter {
         };
         bool anyExcluded = false;
         for (std::size_t s = 0; s < chart_.series.size(); ++s) {
-            entry(seriesColor(s), false, QString::fromStdString(chart_.series[s].name));
+            entry(seriesColor(s), false, QString::fromStdString(say(chart_.series[s].name)));
             const auto& excluded = chart_.series[s].excluded;
             anyExcluded = anyExcluded || std::find(excluded.begin(), excluded.end(), true) != excluded.end();
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/pipeline/ViewRenderer.h"
 #include "ui/shell/ResidualCache.h"
@@ -48,6 +49,9 @@ class ScenePresenter : public QObject {
     void refreshPoints();
 
   private:
+    void chooseColors();
+    ViewCamera framedAll(const ViewDescription& described, NamedView view) const;
+    int roomAbove() const;
     void refresh();
     void refreshMarks();
     void computeResiduals();
@@ -61,8 +65,9 @@ class ScenePresenter : public QObject {
     ResidualCache residuals_;
     JobRunner& jobs_;
     SceneView& view_;
-    bool frameAll_ = true;  ///< the next non-empty picture takes a camera that holds everything
-    int refreshes_ = 0;     ///< residuals that were asked for before the last refresh are out of date
+    std::optional<bool> ownColors_;  ///< whether a single scan was given its own; nothing: not decided yet
+    bool frameAll_ = true;           ///< the next non-empty picture takes a camera that holds everything
+    int refreshes_ = 0;  ///< residuals that were asked for before the last refresh are out of date
 };
 
 }  // namespace vestige

@@ -48,6 +48,21 @@ TEST(CameraProjection, LooksFromTheOtherSide) {
     for (const char* side : {"back", "right", "bottom"}) EXPECT_EQ(name(*namedViewFromName(side)), side);
 }
 
+TEST(CameraProjection, LeavesRoomAboveAtTheSameScale) {
+    for (const bool parallel : {false, true}) {
+        const ViewCamera from = withProjection(oblique(), parallel);
+        const ViewCamera to = withRoomAbove(from, 80);
+        EXPECT_EQ(to.height_px, from.height_px + 80);
+        const Eigen::Vector3d right = from.direction().cross(from.viewUp).normalized();
+        const Eigen::Vector3d up = right.cross(from.direction());
+        for (const auto& [x, y] : {std::pair(0.0, 0.0), std::pair(1.0, -2.0), std::pair(-3.0, 1.5)}) {
+            const Eigen::Vector3d place = from.focalPoint + x * right + y * up;
+            const Eigen::Vector2d moved = to.project(place)->pixel - from.project(place)->pixel;
+            EXPECT_NEAR((moved - Eigen::Vector2d(0, 80)).norm(), 0, 1e-6);
+        }
+    }
+}
+
 TEST(CameraProjection, ShowsAllOfItInAPictureOfAnotherShape) {
     for (const bool parallel : {false, true}) {
         const ViewCamera from = withProjection(oblique(), parallel);

@@ -1,8 +1,10 @@
 #include <QAction>
 #include <QLabel>
 #include <QToolButton>
+#include <fstream>
 
 #include "tests/ui/shell/ShellFixture.h"
+#include "ui/document/Document.h"
 #include "ui/view/SceneView.h"
 
 namespace vestige {
@@ -50,6 +52,40 @@ TEST_F(SmallWindow, ToolsAndPanelsAreWholeInEverySize) {
     }
     EXPECT_EQ(widget<QWidget>("tool-palette").height(), widget<QToolButton>("kinds").height() + 8)
         << "one row where there is room";
+}
+
+TEST_F(SmallWindow, NamedViewsAreNotUnderTheTools) {
+    startLoaded();
+    resize(1280, 800);
+    for (const char* id : {"view.top", "view.perspective", "view.front", "view.bottom", "view.fit"}) {
+        driver->trigger(id);
+        const ViewCamera camera = driver->window().view().camera();
+        const int tools = widget<QWidget>("tool-palette").geometry().bottom();
+        double highest = 1e9;
+        for (const Layer& layer : driver->scene().layers)
+            for (std::uint32_t i = 0; i < layer.data->points->size(); ++i)
+                if (const auto seen = camera.project(layer.data->points->point(i)))
+                    highest = std::min(highest, seen->pixel.y());
+        EXPECT_GT(highest, tools - 12) << id << ": but for strays";
+        EXPECT_LT(highest, tools + 260) << id;
+    }
+}
+
+TEST_F(SmallWindow, ASingleScanIsShownInItsColoursUntilAnotherStandsBesideIt) {
+    std::ofstream out(folder / "colours.ply");
+    out << "ply\nformat ascii 1.0\nelement vertex 400\nproperty double x\nproperty double y\nproperty double "
+           "z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+    for (int i = 0; i < 400; ++i) out << 0.1 * (i % 20) << ' ' << 0.1 * (i / 20) << " 0 220 40 30\n";
+    out.close();
+    start();
+    ASSERT_TRUE(driver->window().openFiles({folder / "colours.ply"}));
+    const auto mode = [&] { return driver->window().view().description().colorMode; };
+    EXPECT_EQ(mode(), ColorMode::rgb);
+    ASSERT_TRUE(driver->window().openFiles({scans.target}));
+    EXPECT_EQ(mode(), ColorMode::source) << "two scans are told apart";
+    driver->trigger("view.color-rgb");
+    ASSERT_TRUE(driver->window().openFiles({scans.source}));
+    EXPECT_EQ(mode(), ColorMode::rgb) << "what was chosen stays";
 }
 
 TEST_F(SmallWindow, BesideTheHelpTheLayersGiveWay) {
