@@ -19,15 +19,26 @@ struct Scale {
 };
 
 /// A scale with ticks at 1, 2 or 5 times a power of ten that holds zero and every value.
+/// Of values that are excluded an end counts only while it leaves the others half of the height; beyond,
+/// their bars are cut.
 Scale niceScale(const BarChart& chart) {
     double low = 0;
     double high = 0;
+    double lowest = 0;
+    double highest = 0;
     for (const auto& series : chart.series)
-        for (const auto& value : series.values)
-            if (value && std::isfinite(*value)) {
-                low = std::min(low, *value);
-                high = std::max(high, *value);
-            }
+        for (std::size_t i = 0; i < series.values.size(); ++i) {
+            const auto& value = series.values[i];
+            if (!value || !std::isfinite(*value)) continue;
+            lowest = std::min(lowest, *value);
+            highest = std::max(highest, *value);
+            if (i < series.excluded.size() && series.excluded[i]) continue;
+            low = std::min(low, *value);
+            high = std::max(high, *value);
+        }
+    const double most = 2 * std::max(high, -low);
+    if (most == 0 || highest <= most) high = highest;
+    if (most == 0 || -lowest <= most) low = lowest;
     const double span = std::max(high - low, 1e-6);
     const double raw = span / 5;
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -159,9 +170,11 @@ class Painter {
             return;
         }
         const bool excluded = category < series.excluded.size() && series.excluded[category];
-        QRectF bar(QPointF(slot.left() + 0.06 * slot.width(), y(std::max(0.0, *value))),
-                   QPointF(slot.right() - 0.06 * slot.width(), y(std::min(0.0, *value))));
+        const double shown = std::clamp(*value, scale_.low, scale_.high);
+        QRectF bar(QPointF(slot.left() + 0.06 * slot.width(), y(std::max(0.0, shown))),
+                   QPointF(slot.right() - 0.06 * slot.width(), y(std::min(0.0, shown))));
         paintSwatch(bar, color, excluded);
+        if (shown != *value) paintCut(bar, color, *value > 0);
         if (fits) {
             const QRectF above(slot.left() - slot.width(), bar.top() - metrics.height(), 3 * slot.width(),
                                metrics.height());
@@ -170,6 +183,17 @@ class Painter {
             painter_.drawText(*value < 0 ? below : above, Qt::AlignCenter, signedText(*value, 0.1));
         }
         painter_.setFont(style_.font);
+    }
+
+    /// A head that says that the bar goes on.
+    void paintCut(const QRectF& bar, const QColor& color, bool upwards) {
+        const double reach = std::max(3.0 * style_.line, 0.5 * bar.width());
+        const double end = upwards ? bar.top() : bar.bottom();
+        const double tip = upwards ? end - reach : end + reach;
+        const double x = bar.center().x();
+        painter_.setPen(Qt::NoPen);
+        painter_.setBrush(color);
+        painter_.drawPolygon(QPolygonF({{x - reach, end}, {x + reach, end}, {x, tip}}));
     }
 
     void paintSwatch(QRectF box, const QColor& color, bool hollow) {
