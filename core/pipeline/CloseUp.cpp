@@ -72,6 +72,9 @@ bool cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vecto
                 kept.push_back(neighbour.point);
         leftOut = leftOut || kept.size() < found.size();
         shown.geometry = std::make_shared<const TriangleMesh>(TriangleMesh{cloud.select(kept), {}});
+        // Here, not where it is drawn: that is the thread of the window.
+        shown.octree = std::make_shared<const Octree>(
+            std::shared_ptr<const PointCloud>(shown.geometry, &shown.geometry->vertices));
         shown.residual_m = nullptr;
     }
     std::erase_if(view.layers, [](const ViewLayer& layer) { return layer.geometry->vertices.empty(); });
@@ -89,13 +92,15 @@ ViewCamera cameraAround(const Eigen::Vector3d& centre, double radius_m, const Ei
 
 Eigen::Vector3d closeUpDirection(const ViewDescription& view, const SceneState& scene,
                                  const MeasuredLength& length, const ViewMark& mark) {
-    std::vector<Octree> octrees;
+    std::vector<std::shared_ptr<const Octree>> octrees;  // the layers point at them
     std::vector<PickLayer> layers;
-    octrees.reserve(view.layers.size());  // the layers point at them
     for (const ViewLayer& shown : view.layers) {
         if (std::find(length.layers.begin(), length.layers.end(), shown.id) == length.layers.end()) continue;
-        octrees.emplace_back(std::shared_ptr<const PointCloud>(shown.geometry, &shown.geometry->vertices));
-        layers.push_back({static_cast<std::uint32_t>(layers.size()), &octrees.back(), shown.worldFromLayer});
+        const std::shared_ptr<const PointCloud> cloud(shown.geometry, &shown.geometry->vertices);
+        const bool usable = shown.octree && &shown.octree->cloud() == cloud.get();
+        octrees.push_back(usable ? shown.octree : std::make_shared<const Octree>(cloud));
+        layers.push_back(
+            {static_cast<std::uint32_t>(layers.size()), octrees.back().get(), shown.worldFromLayer});
     }
     auto candidates = aimedDirections(scene, length);
     const auto others = ring(mark);
