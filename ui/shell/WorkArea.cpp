@@ -42,6 +42,7 @@ namespace {
 
 constexpr int kLeft_px = 204;
 constexpr int kRight_px = 356;
+constexpr int kRoomForChart_px = 660;
 constexpr int kRoomForLeft_px = kLeft_px + kRight_px + 300;
 
 QVBoxLayout* columnIn(QWidget* widget, int spacing = 0) {
@@ -91,6 +92,8 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
 void WorkArea::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     showLeft();
+    // In a low window the table needs the room.
+    accuracy_->setCompact(height() < kRoomForChart_px);
 }
 
 /// Beside a help dock in a small window there is no room for three columns.
@@ -193,7 +196,8 @@ QWidget* WorkArea::makeRight() {
         table->editName(object);
     });
     column->addWidget(new BudgetPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions), 1);
-    column->addWidget(new AccuracyPanel(bench_.document, bench_.selection));
+    accuracy_ = new AccuracyPanel(bench_.document, bench_.selection);
+    column->addWidget(accuracy_);
     auto* tabs = new StepTabs;
     tabs_ = tabs;
     tabs->setObjectName("right");

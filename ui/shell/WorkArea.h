@@ -9,6 +9,7 @@ class QVBoxLayout;
 
 namespace vestige {
 
+class AccuracyPanel;
 class CleaningReactions;
 class CleaningTools;
 class SceneView;
@@ -65,6 +66,7 @@ class WorkArea : public QWidget {
     ViewArea* viewArea_ = nullptr;
     ViewsPanel* viewsPanel_ = nullptr;
     PartsPanel* parts_ = nullptr;
+    AccuracyPanel* accuracy_ = nullptr;
 };
 
 }  // namespace vestige
