@@ -32,6 +32,7 @@ struct Options {
     std::optional<double> dpi;
     std::string savedView;
     std::string section;
+    bool sectionInvert = false;
     std::string projection = "auto";
     std::string map = "even";
     std::string range;
@@ -41,6 +42,7 @@ struct Options {
     bool sizeByDistance = false;
     double pixelRatio = 1;
     bool window = false;
+    std::string object;
     std::vector<std::string> actions;
 };
 
@@ -103,7 +105,7 @@ int runWindow(Session& session, const Options& options) {
     const OffscreenApplication application(options.pixelRatio);
     const Status drawn =
         drawWindow({options.inputs, options.out, *namedViewFromName(view), *overlayFromName(options.overlay),
-                    options.actions, *themeFromName(options.theme), width, height});
+                    options.object, options.actions, *themeFromName(options.theme), width, height});
     if (!drawn) return session.failed(drawn.error());
     session.print(options.out + ": the window, " + size + " pixels");
     session.printJson({{"path", options.out},
@@ -170,6 +172,12 @@ Status describe(ShownScene& shown, const Options& options) {
     if (!kept) return fail(kept.error());
     if (view.scale.denominator && !view.scale.dpi) view.scale.dpi = 300;
     if (!options.section.empty()) view.section = sectionFromText(options.section);
+    if (options.sectionInvert) {
+        if (!view.section)
+            return fail(ErrorCode::usage, "there is no section to invert", "--section-invert",
+                        "add --section, or a --saved-view that has one");
+        view.section->inverted = !view.section->inverted;
+    }
     setRange(view.coloring, options);
     view.pointSize_px = options.pointSize_px * (view.scale.dpi ? std::max(1.0, *view.scale.dpi / 96) : 1.0);
     view.sizeByDistance = options.sizeByDistance;
@@ -247,10 +255,10 @@ Run declareScreenshot(CLI::App& command) {
             },
             "", "picture"));
     command.add_option("--view", options->view, "From where. Default: perspective.")
-        ->check(CLI::IsMember({"perspective", "top", "front", "left", "iso"}));
+        ->check(CLI::IsMember({"perspective", "top", "front", "left", "iso", "back", "right", "bottom"}));
     command
         .add_option("--projection", options->projection,
-                    "Default: auto, that is parallel from top, front and left.")
+                    "Default: auto, that is parallel but for perspective and iso.")
         ->check(CLI::IsMember({"auto", "perspective", "parallel"}));
     command.add_option(
         "--saved-view", options->savedView,
@@ -261,6 +269,8 @@ Run declareScreenshot(CLI::App& command) {
                     "Shows only what lies in this box, metres; DEG turns it about its middle.")
         ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX[,DEG]")
         ->check(CLI::Validator(sectionProblem, "", "section"));
+    command.add_flag("--section-invert", options->sectionInvert,
+                     "Cuts away what lies in the section instead: of --section, or of the saved view.");
     command
         .add_option("--scale", options->scale,
                     "True to scale: 100 for 1:100. Parallel views only. Without --size the picture holds all "
@@ -312,6 +322,10 @@ Run declareScreenshot(CLI::App& command) {
                     "density. Default: 1.")
         ->needs(window)
         ->check(CLI::Range(1.0, 4.0));
+    command
+        .add_option("--object", options->object,
+                    "With --window: the object that is selected before any action.")
+        ->needs(window);
     command
         .add_option("--action", options->actions,
                     "With --window: an action to trigger before the picture is made (register.watch, "

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QImage>
 #include <QPixmap>
+#include <QTableView>
 
 #include "app/offscreen/OffscreenApplication.h"
 #include "core/base/Translation.h"
@@ -30,6 +31,17 @@ Status registerLayers(MainWindow& window) {
             return fail(ErrorCode::untrustworthy, "the layer could not be registered", "layer " + layer.id,
                         "`vestige-cli register` says why");
     return {};
+}
+
+/// As a click into the table would.
+Status select(MainWindow& window, const std::string& object) {
+    auto* table = window.findChild<QTableView*>("measurements");
+    for (int row = 0; table && row < table->model()->rowCount(); ++row)
+        if (table->model()->index(row, 0).data().toString().toStdString() == object) {
+            table->selectRow(row);
+            return {};
+        }
+    return fail(ErrorCode::usage, "the case has no object of this name", "--object " + object);
 }
 
 /// As their menus would.
@@ -67,6 +79,8 @@ Status drawWindow(const WindowPicture& wanted) {
     window.setOverlay(wanted.overlay);
     QApplication::processEvents();
     window.showNamedView(wanted.view);
+    if (!wanted.object.empty())
+        if (const Status selected = select(window, wanted.object); !selected) return selected;
     if (const Status triggered = trigger(window, wanted.actions); !triggered) return triggered;
     // Layouts and palettes settle with the events; then the points that are still to come are drawn at once.
     for (int round = 0; round < 5; ++round) QApplication::processEvents();

@@ -14,6 +14,7 @@ struct WindowPicture {
     std::filesystem::path png;
     NamedView view = NamedView::perspective;
     Overlay overlay = Overlay::none;
+    std::string object;                ///< selected before them; empty: none
     std::vector<std::string> actions;  ///< ids of the window's actions, triggered in this order
     Theme theme = Theme::dark;
     int width_px = 1400;

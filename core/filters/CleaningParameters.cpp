@@ -38,7 +38,7 @@ const ParameterTable& outlineParameters() {
                  "The points within the outline, or all others that are seen."),
         numberOf("depth_m", "Depth", "m", real, std::monostate{}, 0.001, 10000,
                  "Only what lies at most this far behind the nearest surface under the outline is taken; "
-                 "automatic: however deep."),
+                 "none: however deep, and what is taken without being seen is counted."),
         choiceOf("scope", "Of the layers", "shown", {"shown", "selected"},
                  "All layers that are shown, or the selected one alone."),
     };

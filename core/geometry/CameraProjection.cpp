@@ -19,18 +19,18 @@ ViewCamera withProjection(const ViewCamera& camera, bool parallel) {
     return result;
 }
 
-ViewCamera fromOtherSide(const ViewCamera& camera) {
+ViewCamera withRoomAbove(const ViewCamera& camera, int strip_px) {
     ViewCamera result = camera;
-    const Eigen::Vector3d arm = camera.position - camera.focalPoint;
+    result.height_px += strip_px;
+    const double grown = static_cast<double>(result.height_px) / camera.height_px;
+    const double distance = (camera.focalPoint - camera.position).norm();
     const Eigen::Vector3d forward = camera.direction();
-    if (std::abs(forward.z()) < 0.9) {
-        result.position = camera.focalPoint + Eigen::Vector3d(-arm.x(), -arm.y(), arm.z());
-        result.viewUp = {-camera.viewUp.x(), -camera.viewUp.y(), camera.viewUp.z()};
-        return result;
-    }
-    const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();
-    result.position = camera.focalPoint - arm;
-    result.viewUp = right.cross(-forward).normalized();
+    const Eigen::Vector3d up = forward.cross(camera.viewUp).normalized().cross(forward);
+    result.halfHeight_m *= grown;
+    if (!camera.parallel) result.position = camera.focalPoint - grown * distance * forward;
+    const Eigen::Vector3d shift = 0.5 * strip_px * camera.metresPerPixel(distance) * up;
+    result.position += shift;
+    result.focalPoint += shift;
     return result;
 }
 

@@ -8,9 +8,9 @@ namespace vestige {
 /// its place and size in the picture.
 ViewCamera withProjection(const ViewCamera& camera, bool parallel);
 
-/// The camera on the other side of its focal point, level: what was seen from the front is seen from the
-/// back. Looking down it looks up, with the picture's x axis kept.
-ViewCamera fromOtherSide(const ViewCamera& camera);
+/// The camera that shows below a strip of so many pixels what `camera` shows in its picture, at the same
+/// scale.
+ViewCamera withRoomAbove(const ViewCamera& camera, int strip_px);
 
 /// The camera that shows, in a picture of another size, all that it shows now, centred, at the same scale
 /// along the side that fits.

@@ -69,8 +69,7 @@ class LayerCone {
         if (!seen) return std::nullopt;
         pick.cursorDistance_px = (seen->pixel - cursor_).norm();
         if (!(pick.cursorDistance_px <= options_.radius_px)) return std::nullopt;
-        for (const ClipPlane& clip : options_.clips)
-            if (clip.normal.dot(pick.world) + clip.distance < 0) return std::nullopt;
+        if (!options_.clips.keeps(pick.world)) return std::nullopt;
         pick.layer = layer_.layer;
         pick.point = point;
         pick.depth_m = seen->depth_m;
@@ -86,15 +85,11 @@ class LayerCone {
     Eigen::Vector3d worldOrigin() const { return layer_.worldFromLayer * layer_.octree->cloud().origin(); }
 
     bool isClipped(const Eigen::Vector3d& middle, const Eigen::Vector3d& half) const {
-        const Eigen::Matrix3d turn = layer_.worldFromLayer.pose.linear() * layer_.worldFromLayer.scale;
-        for (const ClipPlane& clip : options_.clips) {
-            const Eigen::Vector3d normal = turn.transpose() * clip.normal;
-            const double atOrigin = clip.normal.dot(worldOrigin()) + clip.distance;
-            const double most = normal.dot(middle) + normal.cwiseAbs().dot(half) + atOrigin;
-            if (most < -1e-12 * (clip.normal.norm() * worldOrigin().norm() + std::abs(clip.distance)))
-                return true;
-        }
-        return false;
+        if (options_.clips.planes.empty()) return options_.clips.inverted;
+        const Eigen::Vector3d origin = worldOrigin();
+        const double rounding = 1e-12 * (origin.norm() + half.norm());
+        return kept(options_.clips, layer_.worldFromLayer.pose.linear() * layer_.worldFromLayer.scale, origin,
+                    middle, half, rounding) == Kept::none;
     }
 
     const PickLayer& layer_;

@@ -7,16 +7,11 @@
 #include <vector>
 
 #include "core/base/ParameterSpec.h"
+#include "core/geometry/ClipRegion.h"
 #include "core/geometry/Octree.h"
 #include "core/geometry/ViewCamera.h"
 
 namespace vestige {
-
-/// The half space normal . x + distance >= 0 (world) is kept.
-struct ClipPlane {
-    Eigen::Vector3d normal;
-    double distance;
-};
 
 /// A visible layer as the picture shows it. Layers that are hidden are left out by the caller.
 struct PickLayer {
@@ -39,7 +34,7 @@ struct Pick {
 struct PickOptions {
     double radius_px = 6;
     double hiddenBehindSpacings = 3;
-    std::vector<ClipPlane> clips;
+    ClipRegion clips;
 };
 
 /// The point that a click at `cursor` means: of all points of the visible, unclipped layers within

@@ -49,14 +49,18 @@ struct Projection {
     }
 };
 
-/// The half spaces kept, in a layer's offsets.
+/// What the section keeps, asked in a layer's offsets.
 struct Clips {
     std::vector<Eigen::Vector4d> planes;
+    const ClipRegion& region;
+    Eigen::Matrix3d turn;
+    Eigen::Vector3d origin;
 
-    Clips(const PickLayer& layer, const std::vector<ClipPlane>& world) {
-        const Eigen::Matrix3d turn = layer.worldFromLayer.pose.linear() * layer.worldFromLayer.scale;
-        const Eigen::Vector3d origin = layer.worldFromLayer * layer.octree->cloud().origin();
-        for (const ClipPlane& plane : world) {
+    Clips(const PickLayer& layer, const ClipRegion& world)
+        : region(world),
+          turn(layer.worldFromLayer.pose.linear() * layer.worldFromLayer.scale),
+          origin(layer.worldFromLayer * layer.octree->cloud().origin()) {
+        for (const ClipPlane& plane : world.planes) {
             Eigen::Vector4d here;
             here << turn.transpose() * plane.normal, plane.normal.dot(origin) + plane.distance;
             planes.push_back(here);
@@ -64,21 +68,14 @@ struct Clips {
     }
     bool keeps(const Eigen::Vector3f& offset) const {
         const Eigen::Vector3d place = offset.cast<double>();
-        return std::all_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& plane) {
+        const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& plane) {
             return plane.head<3>().dot(place) + plane.w() >= 0;
         });
+        return inside != region.inverted;
     }
-    Cover cover(const Octree::Node& node) const {
+    Kept keptOf(const Octree::Node& node) const {
         const Eigen::Vector3d middle = 0.5 * (node.min.cast<double>() + node.max.cast<double>());
-        const Eigen::Vector3d half = node.max.cast<double>() - middle;
-        Cover cover = Cover::all;
-        for (const Eigen::Vector4d& plane : planes) {
-            const double at = plane.head<3>().dot(middle) + plane.w();
-            const double reach = plane.head<3>().cwiseAbs().dot(half);
-            if (at + reach < 0) return Cover::none;
-            if (at - reach < 0) cover = Cover::part;
-        }
-        return cover;
+        return kept(region, turn, origin, middle, node.max.cast<double>() - middle);
     }
 };
 
@@ -93,7 +90,7 @@ struct Piece {
 class LayerSearch {
   public:
     LayerSearch(const PickLayer& layer, const ViewCamera& camera, const OutlineMask& mask,
-                const std::vector<ClipPlane>& clips)
+                const ClipRegion& clips)
         : layer_(layer), mask_(mask), projection_(layer, camera), clips_(layer, clips) {
         if (!layer.octree->nodes().empty()) collect(0);
     }
@@ -162,14 +159,14 @@ class LayerSearch {
     void collect(std::uint32_t index) {
         const Octree::Node& node = layer_.octree->nodes()[index];
         const Cover seen = coverOf(node);
-        const Cover kept = clips_.cover(node);
-        if (seen == Cover::none || kept == Cover::none) return;
-        const bool decided = seen == Cover::all && kept == Cover::all;
+        const Kept kept = clips_.keptOf(node);
+        if (seen == Cover::none || kept == Kept::none) return;
+        const bool decided = seen == Cover::all && kept == Kept::all;
         if (decided || node.childCount == 0) {
             // Large nodes in pieces that threads can share.
             for (std::uint32_t at = node.begin; at < node.end; at += kGrain)
                 pieces_.push_back({at, std::min<std::uint32_t>(node.end, at + kGrain), seen != Cover::all,
-                                   kept != Cover::all});
+                                   kept != Kept::all});
             return;
         }
         for (std::uint32_t child = 0; child < node.childCount; ++child) collect(node.firstChild + child);
@@ -192,13 +189,17 @@ class NearestDepths {
     }
 
     void add(const Eigen::Vector2d& pixel, double depth) {
-        const auto column = static_cast<std::size_t>(pixel.x()) / kTile_px;
-        const auto row = static_cast<std::size_t>(pixel.y()) / kTile_px;
-        std::atomic<std::uint32_t>& held = depths_[row * static_cast<std::size_t>(columns_) + column];
+        std::atomic<std::uint32_t>& held = depths_[tileOf(pixel)];
         const std::uint32_t key = keyOf(static_cast<float>(depth));
         std::uint32_t before = held.load(std::memory_order_relaxed);
         while (key < before && !held.compare_exchange_weak(before, key, std::memory_order_relaxed)) {
         }
+    }
+
+    /// Whether a place lies so far behind the nearest of its tile.
+    bool isBehind(const Eigen::Vector2d& pixel, double depth, double by_m) const {
+        const std::uint32_t held = depths_[tileOf(pixel)].load(std::memory_order_relaxed);
+        return held != kNone && depth > depthOf(held) + by_m;
     }
 
     std::optional<double> surface() const {
@@ -213,6 +214,11 @@ class NearestDepths {
     }
 
   private:
+    std::size_t tileOf(const Eigen::Vector2d& pixel) const {
+        const auto column = static_cast<std::size_t>(pixel.x()) / kTile_px;
+        const auto row = static_cast<std::size_t>(pixel.y()) / kTile_px;
+        return row * static_cast<std::size_t>(columns_) + column;
+    }
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     /// Numbers that ascend as the depths do, those below 0 of a parallel camera too.
     static std::uint32_t keyOf(float depth) {
@@ -257,8 +263,9 @@ Result<PointsInOutline> pointsInOutline(std::span<const PickLayer> layers, const
         std::vector<LayerSearch> searches;
         searches.reserve(layers.size());
         for (const PickLayer& layer : layers) searches.emplace_back(layer, camera, mask, options.clips);
-        if (options.depth_m) {
-            NearestDepths depths(camera.width_px, camera.height_px);
+        const bool counts = options.behind_m && !options.outside;
+        NearestDepths depths(camera.width_px, camera.height_px);
+        if (options.depth_m || counts) {
             std::size_t asked = 0;
             for (const LayerSearch& search : searches) asked += search.asked();
             const auto step = static_cast<std::uint32_t>(1 + asked / kMostForSurface);
@@ -269,9 +276,10 @@ Result<PointsInOutline> pointsInOutline(std::span<const PickLayer> layers, const
                     const Eigen::Vector2d pixel = search.pixel(place);
                     if (mask.contains(pixel.x(), pixel.y())) depths.add(pixel, place.z());
                 });
-            result.nearest_m = depths.surface();
+            if (options.depth_m) result.nearest_m = depths.surface();
             if (result.nearest_m) result.deepest_m = *result.nearest_m + *options.depth_m;
         }
+        std::atomic<std::size_t> behind = 0;
         const double limit = result.deepest_m.value_or(std::numeric_limits<double>::infinity());
         for (std::size_t i = 0; i < searches.size(); ++i) {
             control.progress(static_cast<double>(i) / static_cast<double>(searches.size()), "points within");
@@ -279,11 +287,17 @@ Result<PointsInOutline> pointsInOutline(std::span<const PickLayer> layers, const
             std::vector<std::uint8_t> within(search.size(), 0);
             search.each(control, 1, [&](std::uint32_t point, const Eigen::Vector3d& place) {
                 within[point] = place.z() <= limit;
+                if (!counts || place.z() > limit) return;
+                const Eigen::Vector2d pixel = search.pixel(place);
+                if (mask.contains(pixel.x(), pixel.y()) &&
+                    depths.isBehind(pixel, place.z(), *options.behind_m))
+                    behind.fetch_add(1, std::memory_order_relaxed);
             });
             result.points.push_back(indicesWhere(search.size(), [&](std::uint32_t point) {
                 return options.outside ? !within[point] && search.keeps(point) : within[point] != 0;
             }));
         }
+        result.behind = behind;
         return result;
     });
 }

@@ -16,7 +16,10 @@ struct OutlineOptions {
     /// direction; nothing: however deep.
     std::optional<double> depth_m;
     bool outside = false;  ///< everything else that is seen, in its place
-    std::vector<ClipPlane> clips;
+    /// With it, points found are counted that lie further than this behind the nearest point of their tile of
+    /// 4 pixels: what the picture does not show. Not with `outside`.
+    std::optional<double> behind_m;
+    ClipRegion clips;
 };
 
 struct PointsInOutline {
@@ -26,6 +29,7 @@ struct PointsInOutline {
     /// Nothing without a limit, or where nothing lies under the outline.
     std::optional<double> nearest_m;
     std::optional<double> deepest_m;
+    std::size_t behind = 0;  ///< of all layers, see OutlineOptions::behind_m
 };
 
 /// The points of the visible, unclipped layers that a picture by `camera` shows within a closed outline,

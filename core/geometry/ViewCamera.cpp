@@ -21,12 +21,15 @@ Axes axes(const ViewCamera& camera) {
     return {right, right.cross(forward), forward};
 }
 
-constexpr std::array<std::pair<NamedView, std::string_view>, 5> kNames{
+constexpr std::array<std::pair<NamedView, std::string_view>, 8> kNames{
     {{NamedView::perspective, "perspective"},
      {NamedView::top, "top"},
      {NamedView::front, "front"},
      {NamedView::left, "left"},
-     {NamedView::iso, "iso"}}};
+     {NamedView::iso, "iso"},
+     {NamedView::back, "back"},
+     {NamedView::right, "right"},
+     {NamedView::bottom, "bottom"}}};
 
 Eigen::Vector3d viewDirection(NamedView view) {
     switch (view) {
@@ -36,12 +39,24 @@ Eigen::Vector3d viewDirection(NamedView view) {
             return {0, 1, 0};
         case NamedView::left:
             return {1, 0, 0};
+        case NamedView::back:
+            return {0, -1, 0};
+        case NamedView::right:
+            return {-1, 0, 0};
+        case NamedView::bottom:
+            return {0, 0, 1};
         case NamedView::iso:
             return Eigen::Vector3d(-1, 1, -1).normalized();
         case NamedView::perspective:
             break;
     }
     return Eigen::Vector3d(-0.45, 0.75, -0.5).normalized();
+}
+
+Eigen::Vector3d viewUp(NamedView view) {
+    if (view == NamedView::top) return Eigen::Vector3d::UnitY();
+    if (view == NamedView::bottom) return -Eigen::Vector3d::UnitY();
+    return Eigen::Vector3d::UnitZ();
 }
 
 }  // namespace
@@ -86,8 +101,8 @@ ViewCamera fitCamera(const BoundingBox& box, NamedView view, int width_px, int h
     ViewCamera camera;
     camera.width_px = width_px;
     camera.height_px = height_px;
-    camera.parallel = view == NamedView::top || view == NamedView::front || view == NamedView::left;
-    camera.viewUp = view == NamedView::top ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+    camera.parallel = view != NamedView::perspective && view != NamedView::iso;
+    camera.viewUp = viewUp(view);
     const BoundingBox shown = box.empty() ? BoundingBox{{-1, -1, -1}, {1, 1, 1}} : box;
     const Eigen::Vector3d forward = viewDirection(view);
     const Eigen::Vector3d right = forward.cross(camera.viewUp).normalized();

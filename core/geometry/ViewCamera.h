@@ -42,12 +42,13 @@ struct ViewCamera {
     Eigen::Vector3d direction() const { return (focalPoint - position).normalized(); }
 };
 
-enum class NamedView { perspective, top, front, left, iso };
+enum class NamedView { perspective, top, front, left, iso, back, right, bottom };
 
 std::string_view name(NamedView view);
 std::optional<NamedView> namedViewFromName(std::string_view name);
 
-/// A camera of the named direction that holds the whole box. `top`, `front` and `left` are parallel; z is up.
+/// A camera of the named direction that holds the whole box. All but `perspective` and `iso` are parallel; z
+/// is up, from above y, from below -y, so that x runs to the right in both.
 ViewCamera fitCamera(const BoundingBox& box, NamedView view, int width_px, int height_px);
 
 }  // namespace vestige

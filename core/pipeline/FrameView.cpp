@@ -39,7 +39,7 @@ std::vector<Eigen::Vector3d> samplePoints(const ViewDescription& view) {
         for (std::size_t begin = 0; begin < cloud.size(); begin += stride) {
             const std::size_t run = std::min(stride, cloud.size() - begin);
             const Eigen::Vector3d point = layer.worldFromLayer * cloud.point(begin + random.below(run));
-            if (!view.section || view.section->contains(point)) sample.push_back(point);
+            if (!view.section || view.section->keeps(point)) sample.push_back(point);
         }
     }
     return sample;
@@ -182,7 +182,7 @@ ViewCamera filled(ViewCamera camera, const std::vector<Eigen::Vector3d>& sample)
 BoundingBox boxOf(const ViewDescription& view, const std::vector<Eigen::Vector3d>& sample) {
     constexpr std::size_t kFew = 50;
     BoundingBox box = boxOf(sample);
-    if (!view.section || sample.size() >= kFew) return box;
+    if (!view.section || view.section->inverted || sample.size() >= kFew) return box;
     const BoundingBox scene = subjectBounds(view);
     BoundingBox corners;
     for (int corner = 0; corner < 8; ++corner) {

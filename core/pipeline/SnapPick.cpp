@@ -9,7 +9,7 @@ namespace vestige {
 
 Result<FittedFeature> snapPick(const Layer& layer, const Eigen::Vector3d& world_m,
                                const Eigen::Vector3d& view, SnapMode mode, const ScannerPath* path,
-                               std::vector<ClipPlane> clips) {
+                               ClipRegion clips) {
     if (!layer.data || !layer.data->octree)
         return fail(ErrorCode::input, "the layer is not loaded", layer.name);
     SnapRequest request;

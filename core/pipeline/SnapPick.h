@@ -13,7 +13,7 @@ namespace vestige {
 /// sensor. `view`: unit, from the eye; `path`: the layer's scannerPathOf, or null.
 Result<FittedFeature> snapPick(const Layer& layer, const Eigen::Vector3d& world_m,
                                const Eigen::Vector3d& view, SnapMode mode, const ScannerPath* path = nullptr,
-                               std::vector<ClipPlane> clips = {});
+                               ClipRegion clips = {});
 
 /// Where the scanner of an aerial layer flew, from the layer's points. Reads the layer's file once more where
 /// the times of its points are not held: work for a job. Nothing where it cannot be told.

@@ -382,8 +382,8 @@
         <translation>图层范围</translation>
     </message>
     <message>
-        <source>Only what lies at most this far behind the nearest surface under the outline is taken; automatic: however deep.</source>
-        <translation>只取轮廓之下最近表面后方不超过此距离的点；自动：深度不限。</translation>
+        <source>Only what lies at most this far behind the nearest surface under the outline is taken; none: however deep, and what is taken without being seen is counted.</source>
+        <translation>只取轮廓下最近表面之后不超过此距离的部分；不填：不限深度，并统计未被看到而选中的点数。</translation>
     </message>
     <message>
         <source>Outliers</source>
@@ -7890,6 +7890,10 @@
         <translation>断面(&amp;S)</translation>
     </message>
     <message>
+        <source>Cut away t&amp;he inside</source>
+        <translation>切除内部(&amp;H)</translation>
+    </message>
+    <message>
         <source>Displa&amp;y</source>
         <translation>显示(&amp;Y)</translation>
     </message>
@@ -8300,6 +8304,10 @@
     <message>
         <source>Show the user guide beside the view.</source>
         <translation>在视图旁边显示用户指南。</translation>
+    </message>
+    <message>
+        <source>Show what lies outside of the section box instead, as without a roof or a tree.</source>
+        <translation>改为显示剖切框之外的部分，例如去掉屋顶或树木。</translation>
     </message>
     <message>
         <source>Show where y points, which is north on a map grid.</source>

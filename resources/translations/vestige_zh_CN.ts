@@ -1192,6 +1192,14 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>Nothing yet. The files keep every point whatever is taken out here.</source>
         <translation>暂无。无论此处移除什么，文件都保留每一个点。</translation>
     </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>%1 of them lie more than 1 m behind what is seen from there. A Depth leaves them out; none takes everything under the outline.</source>
+        <translation>其中 %1 个点位于所见表面之后 1 m 以上。设置“深度”可将其排除；不设则取轮廓下的全部点。</translation>
+    </message>
 </context>
 <context>
     <name>vestige::Cleaner</name>
@@ -1300,6 +1308,10 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <message>
         <source>No point lies there.</source>
         <translation>该处没有点。</translation>
+    </message>
+    <message>
+        <source>%1 of the points selected lie behind what is seen; a Depth leaves them out</source>
+        <translation>所选点中有 %1 个位于所见表面之后；设置“深度”可将其排除</translation>
     </message>
 </context>
 <context>

@@ -93,11 +93,12 @@ class Screenshot(unittest.TestCase):
     def test_views_and_overlays_differ(self):
         seen = set()
         for options in ([], ["--view", "iso"], ["--view", "front"], ["--view", "left"], ["--view", "top"],
+                        ["--view", "back"], ["--view", "right"], ["--view", "bottom"],
                         ["--overlay", "registration"], ["--overlay", "residual"], ["--overlay", "source"]):
             out = self.folder / "p.png"
             cli("screenshot", self.site, self.box, "--out", out, "--size", "200x120", *options)
             seen.add(out.read_bytes())
-        self.assertEqual(len(seen), 8)
+        self.assertEqual(len(seen), 11)
 
     def test_registration_tints_the_source_orange(self):
         out = self.folder / "p.png"
@@ -246,6 +247,19 @@ class Screenshot(unittest.TestCase):
         found = [(x, y) for y, row in enumerate(rows) for x, (r, g, b) in enumerate(row) if r > 120 and b > 120 and g < 60]
         self.assertTrue(found)
         self.assertTrue(all(x < 300 for x, y in found), "the corners with the larger x are cut away")
+
+    def test_a_section_can_be_inverted(self):
+        out = self.folder / "p.png"
+        for inverted in (False, True):
+            cli("screenshot", self.block(), "--out", out, "--view", "top", "--size", "600x400", "--color", "rgb",
+                "--section", "483403,4375664,34,483406,4375668,37", *(["--section-invert"] if inverted else []))
+            _, _, rows = picture(out)
+            found = [x for row in rows for x, (r, g, b) in enumerate(row) if r > 120 and b > 120 and g < 60]
+            self.assertTrue(found)
+            # The corners left stand at the outer end of the half that is left.
+            self.assertTrue(all((x > 300) == inverted for x in found))
+        done = cli("screenshot", self.block(), "--out", out, "--section-invert", code=2)
+        self.assertIn("no section to invert", done.stderr)
 
     def test_colours_by_class_and_range(self):
         plain, out = self.folder / "a.png", self.folder / "b.png"

@@ -19,15 +19,26 @@ struct Scale {
 };
 
 /// A scale with ticks at 1, 2 or 5 times a power of ten that holds zero and every value.
+/// Of values that are excluded an end counts only while it leaves the others half of the height; beyond,
+/// their bars are cut.
 Scale niceScale(const BarChart& chart) {
     double low = 0;
     double high = 0;
+    double lowest = 0;
+    double highest = 0;
     for (const auto& series : chart.series)
-        for (const auto& value : series.values)
-            if (value && std::isfinite(*value)) {
-                low = std::min(low, *value);
-                high = std::max(high, *value);
-            }
+        for (std::size_t i = 0; i < series.values.size(); ++i) {
+            const auto& value = series.values[i];
+            if (!value || !std::isfinite(*value)) continue;
+            lowest = std::min(lowest, *value);
+            highest = std::max(highest, *value);
+            if (i < series.excluded.size() && series.excluded[i]) continue;
+            low = std::min(low, *value);
+            high = std::max(high, *value);
+        }
+    const double most = 2 * std::max(high, -low);
+    if (most == 0 || highest <= most) high = highest;
+    if (most == 0 || -lowest <= most) low = lowest;
     const double span = std::max(high - low, 1e-6);
     const double raw = span / 5;
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -66,7 +77,7 @@ class Painter {
         placePlot();
         paintGrid();
         for (std::size_t i = 0; i < chart_.categories.size(); ++i) paintGroup(i);
-        paintLegend();
+        legend(true);
         painter_.restore();
     }
 
@@ -76,7 +87,8 @@ class Painter {
         double axis = 0;
         for (double tick = scale_.low; tick <= scale_.high + 0.5 * scale_.step; tick += scale_.step)
             axis = std::max(axis, metrics_.horizontalAdvance(signedText(tick, scale_.step)));
-        plot_ = area_.adjusted(axis + em * 0.6, em * 1.7, 0, -0.3 * em);
+        plot_ = area_.adjusted(axis + em * 0.6, 0, 0, -0.3 * em);
+        plot_.setTop(area_.top() + legend(false) + 0.7 * em);
         group_ = plot_.width() / std::max<std::size_t>(1, chart_.categories.size());
         double labels = 0;
         if (style_.showCategories)
@@ -158,9 +170,11 @@ class Painter {
             return;
         }
         const bool excluded = category < series.excluded.size() && series.excluded[category];
-        QRectF bar(QPointF(slot.left() + 0.06 * slot.width(), y(std::max(0.0, *value))),
-                   QPointF(slot.right() - 0.06 * slot.width(), y(std::min(0.0, *value))));
+        const double shown = std::clamp(*value, scale_.low, scale_.high);
+        QRectF bar(QPointF(slot.left() + 0.06 * slot.width(), y(std::max(0.0, shown))),
+                   QPointF(slot.right() - 0.06 * slot.width(), y(std::min(0.0, shown))));
         paintSwatch(bar, color, excluded);
+        if (shown != *value) paintCut(bar, color, *value > 0);
         if (fits) {
             const QRectF above(slot.left() - slot.width(), bar.top() - metrics.height(), 3 * slot.width(),
                                metrics.height());
@@ -169,6 +183,17 @@ class Painter {
             painter_.drawText(*value < 0 ? below : above, Qt::AlignCenter, signedText(*value, 0.1));
         }
         painter_.setFont(style_.font);
+    }
+
+    /// A head that says that the bar goes on.
+    void paintCut(const QRectF& bar, const QColor& color, bool upwards) {
+        const double reach = std::max(3.0 * style_.line, 0.5 * bar.width());
+        const double end = upwards ? bar.top() : bar.bottom();
+        const double tip = upwards ? end - reach : end + reach;
+        const double x = bar.center().x();
+        painter_.setPen(Qt::NoPen);
+        painter_.setBrush(color);
+        painter_.drawPolygon(QPolygonF({{x - reach, end}, {x + reach, end}, {x, tip}}));
     }
 
     void paintSwatch(QRectF box, const QColor& color, bool hollow) {
@@ -182,26 +207,37 @@ class Painter {
         painter_.drawRect(box.adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2));
     }
 
-    void paintLegend() {
+    /// Height of the legend, whose entries wrap.
+    double legend(bool paint) {
         const double em = metrics_.height();
         double x = plot_.left();
+        double y = area_.top();
         const auto entry = [&](const QColor& color, bool hollow, const QString& name) {
-            paintSwatch(QRectF(x, area_.top() + 0.2 * em, 0.62 * em, 0.62 * em), color, hollow);
-            painter_.setPen(style_.text);
-            painter_.drawText(QRectF(x + 0.9 * em, area_.top(), area_.right() - x, em),
-                              Qt::AlignLeft | Qt::AlignVCenter, name);
-            x += metrics_.horizontalAdvance(name) + 2.1 * em;
+            const double width = metrics_.horizontalAdvance(name) + 0.9 * em;
+            if (x > plot_.left() && x + width > area_.right()) {
+                x = plot_.left();
+                y += 1.15 * em;
+            }
+            if (paint) {
+                paintSwatch(QRectF(x, y + 0.2 * em, 0.62 * em, 0.62 * em), color, hollow);
+                painter_.setPen(style_.text);
+                painter_.drawText(QRectF(x + 0.9 * em, y, width, em), Qt::AlignLeft | Qt::AlignVCenter, name);
+            }
+            x += width + 1.2 * em;
         };
         bool anyExcluded = false;
         for (std::size_t s = 0; s < chart_.series.size(); ++s) {
-            entry(seriesColor(s), false, QString::fromStdString(chart_.series[s].name));
+            entry(seriesColor(s), false, QString::fromStdString(say(chart_.series[s].name)));
             const auto& excluded = chart_.series[s].excluded;
             anyExcluded = anyExcluded || std::find(excluded.begin(), excluded.end(), true) != excluded.end();
         }
         if (anyExcluded) entry(style_.muted, true, QString::fromStdString(say("excluded (hollow)")));
-        painter_.setPen(style_.muted);
-        painter_.drawText(QRectF(area_.left(), area_.top(), plot_.left() - area_.left() - 0.4 * em, em),
-                          Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(chart_.unit));
+        if (paint) {
+            painter_.setPen(style_.muted);
+            painter_.drawText(QRectF(area_.left(), area_.top(), plot_.left() - area_.left() - 0.4 * em, em),
+                              Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(chart_.unit));
+        }
+        return y + em - area_.top();
     }
 
     QColor seriesColor(std::size_t s) const {

@@ -32,7 +32,8 @@ ChartStyle paperChartStyle(const QFont& font, double line);
 
 /// Grouped bars round a zero line, one group per category (the relative errors of each object by method, as
 /// in the figures of the publication): filled bars count, hollow ones are excluded, a missing value is
-/// marked "n/m". Nothing is painted outside `area`.
+/// marked "n/m". The bar of an excluded value that would flatten the others is cut, with a head at its end.
+/// Nothing is painted outside `area`.
 void paintReChart(QPainter& painter, const QRectF& area, const BarChart& chart, const ChartStyle& style);
 
 }  // namespace vestige

@@ -48,6 +48,7 @@ void PointSelection::apply(const Sets& found, Mode mode, CleaningStep step) {
 
 void PointSelection::clear() {
     reach_.reset();
+    behind_ = 0;
     step_ = {};
     if (parts_.empty()) return;
     parts_.clear();

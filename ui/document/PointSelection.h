@@ -44,6 +44,10 @@ class PointSelection : public QObject {
     std::optional<std::pair<double, double>> reach() const { return reach_; }
     void setReach(std::optional<std::pair<double, double>> reach) { reach_ = reach; }
 
+    /// How many of the points that the last outline took were not to be seen, as they lie behind others.
+    std::size_t behind() const { return behind_; }
+    void setBehind(std::size_t count) { behind_ = count; }
+
   signals:
     void changed();
 
@@ -59,6 +63,7 @@ class PointSelection : public QObject {
     CleaningStep step_;
     std::string object_;
     std::optional<std::pair<double, double>> reach_;
+    std::size_t behind_ = 0;
 };
 
 }  // namespace vestige

@@ -54,12 +54,19 @@ AccuracyPanel::AccuracyPanel(Document& document, Selection& selection, QWidget* 
     fill();
 }
 
+void AccuracyPanel::setCompact(bool compact) {
+    if (compact == compact_) return;
+    compact_ = compact;
+    fill();
+}
+
 void AccuracyPanel::fill() {
     const MeasuredScene& measured = document_.measured();
     const MethodAccuracy* accuracy = accuracyOf(measured, selection_.method());
     for (QWidget* widget :
          {static_cast<QWidget*>(chart_), static_cast<QWidget*>(figures_), static_cast<QWidget*>(remark_)})
         widget->setVisible(accuracy != nullptr);
+    if (compact_) chart_->hide();
     empty_->setVisible(accuracy == nullptr);
     if (!accuracy) return;
     chart_->setChart(relativeErrorChart(measured.accuracy));

@@ -17,6 +17,9 @@ class AccuracyPanel : public PanelSection {
   public:
     AccuracyPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
+    /// Without the chart, whose figures stand in the table, too.
+    void setCompact(bool compact);
+
   private:
     void fill();
 
@@ -26,6 +29,7 @@ class AccuracyPanel : public PanelSection {
     FiguresRow* figures_;
     QLabel* remark_;
     QLabel* empty_;
+    bool compact_ = false;
 };
 
 }  // namespace vestige

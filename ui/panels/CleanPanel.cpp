@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QGridLayout>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -37,6 +38,9 @@ CleanPanel::CleanPanel(Document& document, Selection& selection, PointSelection&
                        CleaningSettings& settings, Notices& notices, const ActionCatalog& actions,
                        QWidget* parent)
     : QWidget(parent), document_(document), selection_(selection), points_(points) {
+    auto* outline = formFor(settings.outline, notices);
+    // What no limit means is said in the place of "automatic".
+    if (auto* depth = outline->findChild<QLineEdit*>("depth_m")) depth->setPlaceholderText(tr("no limit"));
     auto* content = new QWidget;
     content->setObjectName("panel-content");
     auto* column = new QVBoxLayout(content);
@@ -45,7 +49,7 @@ CleanPanel::CleanPanel(Document& document, Selection& selection, PointSelection&
     addSection(
         *column, tr("Select by hand"),
         makeStep(actions, tr("Draw round what does not belong to the scene: a passer-by, a moving car."),
-                 formFor(settings.outline, notices), {"tool.lasso", "tool.box-select"}));
+                 outline, {"tool.lasso", "tool.box-select"}));
     addSection(*column, tr("Outliers"),
                makeStep(actions, tr("Single points in the air: echoes of rain, dust and edges."),
                         formFor(settings.outliers, notices), {"clean.outliers"}));
@@ -117,7 +121,10 @@ QWidget* CleanPanel::makeSelected(const ActionCatalog& actions) {
     column->setSpacing(6);
     selected_ = words("selected-points", false);
     reach_ = words("selected-reach", true);
+    behind_ = words("selected-behind", false);
+    behind_->setProperty("role", "trouble");
     column->addWidget(selected_);
+    column->addWidget(behind_);
     column->addWidget(reach_);
     auto* grid = new QGridLayout;
     grid->setSpacing(6);
@@ -145,6 +152,11 @@ QWidget* CleanPanel::makeRemoved(const ActionCatalog& actions) {
 
 void CleanPanel::describeSelected() {
     const std::size_t count = points_.size();
+    behind_->setVisible(count > 0 && points_.behind() > 0);
+    behind_->setText(
+        tr("%1 of them lie more than 1 m behind what is seen from there. A Depth leaves them out; "
+           "none takes everything under the outline.")
+            .arg(QString::fromStdString(grouped(points_.behind()))));
     if (count == 0) {
         selected_->setText(tr("Nothing is selected"));
         reach_->setText(

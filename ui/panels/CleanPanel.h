@@ -40,6 +40,7 @@ class CleanPanel : public QWidget {
     PointSelection& points_;
     QLabel* selected_ = nullptr;
     QLabel* reach_ = nullptr;
+    QLabel* behind_ = nullptr;  ///< what is selected without being seen
     QLabel* removed_ = nullptr;
 };
 

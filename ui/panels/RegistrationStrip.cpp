@@ -65,13 +65,14 @@ RegistrationStrip::RegistrationStrip(Document& document, Selection& selection, A
     row->setContentsMargins(2, 2, 2, 4);
     empty_->setProperty("role", "muted");
     empty_->setContentsMargins(12, 6, 12, 6);
+    empty_->setWordWrap(true);
     // In a narrow window the last figures give way, not the panels beside the view.
     figures_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     picture_->setContentsMargins(12, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(picture_);
     row->addWidget(figures_, 1);
-    row->addWidget(empty_);
+    row->addWidget(empty_, 1);
     connect(&document_, &Document::changed, this, [this] { fill(); });
     connect(&selection_, &Selection::changed, this, [this] { fill(); });
     connect(&attempts_, &Attempts::changed, this, [this] { fill(); });

@@ -3,6 +3,7 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -41,9 +42,12 @@ QWidget* contentsList() {
     for (const auto& [file, what] : rows) {
         auto* row = new QTreeWidgetItem({file, what});
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        row->setToolTip(0, file + QString(": ") + what);
+        for (const int column : {0, 1}) row->setToolTip(column, file + QString(": ") + what);
         tree.addTopLevelItem(row);
     }
+    // Names whole; of what they hold the end gives way.
+    tree.header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    tree.header()->setSectionResizeMode(1, QHeaderView::Stretch);
     list->fit();
     return list;
 }

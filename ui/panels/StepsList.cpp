@@ -33,13 +33,42 @@ void StepsList::setSteps(const std::array<StepFacts, kWaySteps>& steps) {
         return;
     }
     for (int i = 0; i < lines.size(); ++i) {
-        auto* link = new QPushButton(lines[i]);
+        auto* link = new QPushButton;
+        link->setAccessibleName(lines[i]);
+        // As wide as the panel is, not as its text.
+        link->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         link->setProperty("role", "link");
         link->setToolTip(tr("Go to %1").arg(titleOf(places[static_cast<std::size_t>(i)])));
         link->setCursor(Qt::PointingHandCursor);
         connect(link, &QPushButton::clicked, this,
                 [this, step = places[static_cast<std::size_t>(i)]] { emit chosen(step); });
         column_->addWidget(link);
+    }
+    wrap();
+}
+
+void StepsList::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    wrap();
+}
+
+/// Buttons break no lines by themselves.
+void StepsList::wrap() {
+    for (int i = 0; i < column_->count(); ++i) {
+        auto* link = qobject_cast<QPushButton*>(column_->itemAt(i)->widget());
+        if (!link) continue;
+        QString text;
+        QString line;
+        for (const QString& word : link->accessibleName().split(' ')) {
+            const QString longer = line.isEmpty() ? word : line + ' ' + word;
+            if (line.isEmpty() || link->fontMetrics().horizontalAdvance(longer) <= width() - 4) {
+                line = longer;
+                continue;
+            }
+            text += line + '\n';
+            line = word;
+        }
+        link->setText(text + line);
     }
 }
 

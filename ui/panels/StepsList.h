@@ -19,7 +19,11 @@ class StepsList : public QWidget {
   signals:
     void chosen(vestige::WayStep step);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void wrap();
     QVBoxLayout* column_;
     QStringList shown_;
 };

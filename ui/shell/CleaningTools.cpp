@@ -2,6 +2,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/geometry/PointsInOutline.h"
+#include "core/report/Wording.h"
 #include "ui/actions/ActionCatalog.h"
 #include "ui/document/CleaningSettings.h"
 #include "ui/document/Document.h"
@@ -27,7 +28,11 @@ struct Asked {
 struct Found {
     PointSelection::Sets sets;
     std::optional<std::pair<double, double>> reach;
+    std::size_t behind = 0;
 };
+
+/// So far behind what is seen, points of a surface's noise or of an object's own back are none.
+constexpr double kBehind_m = 1;
 
 Result<Found> find(const Asked& asked, const JobControl& control) {
     std::vector<PickLayer> layers;
@@ -37,6 +42,7 @@ Result<Found> find(const Asked& asked, const JobControl& control) {
     auto within = pointsInOutline(layers, asked.camera, asked.corners, asked.options, control);
     if (!within) return fail(within.error());
     Found found;
+    found.behind = within->behind;
     for (std::size_t i = 0; i < asked.ids.size(); ++i)
         found.sets[asked.ids[i]] = loadedIndices(*asked.data[i], std::move(within->points[i]));
     if (within->nearest_m) found.reach = {*within->nearest_m, *within->deepest_m};
@@ -52,8 +58,12 @@ std::string wordsOf(const Asked& asked, const Found& found) {
 
 }  // namespace
 
-CleaningTools::CleaningTools(const Workbench& bench, SceneView& view, QObject* parent)
-    : QObject(parent), bench_(bench), view_(view) {
+CleaningTools::CleaningTools(const Workbench& bench, SceneView& view, HoverProbe& probe, QObject* parent)
+    : QObject(parent),
+      bench_(bench),
+      view_(view),
+      lasso_(OutlineTool::Shape::lasso, probe),
+      box_(OutlineTool::Shape::box, probe) {
     for (const auto& [id, tool, how] :
          {std::tuple("tool.lasso", &lasso_, "lasso"), std::tuple("tool.box-select", &box_, "box")}) {
         bench_.actions.onToggled(id, [this, tool = tool](bool on) {
@@ -77,7 +87,8 @@ void CleaningTools::select(const std::vector<Eigen::Vector2d>& corners, Qt::Keyb
     asked.corners = corners;
     asked.options.depth_m = settings.optionalReal("depth_m");
     asked.options.outside = settings.text("side") == "outside";
-    if (shown.section) asked.options.clips = shown.section->planes();
+    if (!asked.options.depth_m) asked.options.behind_m = kBehind_m;
+    if (shown.section) asked.options.clips = shown.section->region();
     const bool one = settings.text("scope") == "selected";
     bool preview = false;
     for (const ViewLayer& layer : shown.layers) {
@@ -104,8 +115,16 @@ void CleaningTools::select(const std::vector<Eigen::Vector2d>& corners, Qt::Keyb
         [this, asked, mode, how](Result<Found> found) {
             if (!found) return bench_.notices.failed(found.error());
             bench_.points.setReach(found->reach);
+            bench_.points.setBehind(mode == PointSelection::Mode::subtract ? 0 : found->behind);
             bench_.points.apply(found->sets, mode, {how, wordsOf(asked, *found), 0});
-            if (bench_.points.size() == 0) bench_.notices.inform(tr("No point lies there."));
+            if (bench_.points.size() == 0) return bench_.notices.inform(tr("No point lies there."));
+            if (bench_.points.behind() == 0) return;
+            const QString sentence =
+                tr("%1 of the points selected lie behind what is seen; a Depth leaves them out")
+                    .arg(QString::fromStdString(grouped(bench_.points.behind())));
+            // After the tool's own hint, which comes when the event that closed the outline ends.
+            QMetaObject::invokeMethod(
+                this, [this, sentence] { emit hintChanged(sentence); }, Qt::QueuedConnection);
         });
 }
 

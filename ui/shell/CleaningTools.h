@@ -16,7 +16,8 @@ class CleaningTools : public QObject {
     Q_OBJECT
 
   public:
-    CleaningTools(const Workbench& bench, SceneView& view, QObject* parent = nullptr);
+    /// `probe` tells the point under the cursor between the clicks.
+    CleaningTools(const Workbench& bench, SceneView& view, HoverProbe& probe, QObject* parent = nullptr);
     OutlineTool& lasso() { return lasso_; }
     OutlineTool& box() { return box_; }
 
@@ -29,9 +30,8 @@ class CleaningTools : public QObject {
 
     Workbench bench_;
     SceneView& view_;
-    HoverProbe probe_;
-    OutlineTool lasso_{OutlineTool::Shape::lasso, probe_};
-    OutlineTool box_{OutlineTool::Shape::box, probe_};
+    OutlineTool lasso_;
+    OutlineTool box_;
 };
 
 }  // namespace vestige

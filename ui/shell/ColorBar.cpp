@@ -56,6 +56,7 @@ ColorBar::ColorBar(ActionCatalog& actions, Presentation& presentation, const Sce
     low_->setObjectName("color-low");
     high_->setObjectName("color-high");
     cut_->setObjectName("color-cut");
+    none_->setWordWrap(true);
     grid().addWidget(what_, 0, 0);
     grid().addWidget(low_, 0, 1);
     grid().addWidget(barLabel(tr("to")), 0, 2);

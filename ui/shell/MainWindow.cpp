@@ -98,7 +98,7 @@ struct MainWindow::Private {
           ofWindow(window, bench, *view),
           languages(bench),
           cleans(bench),
-          cleaningTools(bench, *view),
+          cleaningTools(bench, *view, tools->probe()),
           cleaner(document, *jobs, notices),
           watches(bench) {}
 
@@ -157,7 +157,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     applyTheme(storedTheme());
     setObjectName("main-window");
     setAcceptDrops(true);
-    setMinimumSize(1260, 680);
+    setMinimumSize(960, 600);
     resize(1400, 875);
     d_ = std::make_unique<Private>(*this, makeSurface, std::move(renderer), std::move(printer),
                                    std::move(jobs));

@@ -69,9 +69,15 @@ ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView&
     : QObject(parent), models_(models), jobs_(jobs), view_(view) {
     connect(&models_.document, &Document::replaced, this, [this] {
         frameAll_ = true;
+        if (ownColors_.value_or(false) && models_.presentation.colorMode() == ColorMode::rgb)
+            models_.presentation.setColorMode(ColorMode::source);
+        ownColors_.reset();
         residuals_.clear();
     });
-    connect(&models_.document, &Document::changed, this, [this] { refresh(); });
+    connect(&models_.document, &Document::changed, this, [this] {
+        chooseColors();
+        refresh();
+    });
     connect(&models_.presentation, &Presentation::changed, this, [this] { refresh(); });
     connect(&models_.presentation, &Presentation::sectionChanged, this,
             [this] { view_.setSection(models_.presentation.section()); });
@@ -82,26 +88,54 @@ ScenePresenter::ScenePresenter(const Models& models, JobRunner& jobs, SceneView&
     connect(&models_.selection, &Selection::changed, this, [this] { refreshMarks(); });
 }
 
+/// A single scan is shown in the colours it has, as it was photographed; beside another one in its own tint,
+/// which tells them apart. Once in a case: what the user chooses stays.
+void ScenePresenter::chooseColors() {
+    const auto& layers = models_.document.state().layers;
+    if (layers.empty() || !layers.front().data) return;
+    const bool wanted = layers.size() == 1 && !layers.front().data->points->attributes().color.empty();
+    const bool had = ownColors_.value_or(false);
+    if (had == wanted || (ownColors_ && !had)) {
+        ownColors_ = ownColors_.value_or(wanted);
+        return;
+    }
+    ownColors_ = wanted;
+    if (models_.presentation.colorMode() != (wanted ? ColorMode::source : ColorMode::rgb)) return;
+    models_.presentation.setColorMode(wanted ? ColorMode::rgb : ColorMode::source);
+}
+
 void ScenePresenter::showNamedView(NamedView view) {
     const ViewDescription& described = view_.description();
     if (bounds(described).empty()) return;
-    const ViewCamera now = view_.camera();
-    view_.setCamera(
-        frameView(placedOnly(models_.document.state(), described), view, now.width_px, now.height_px));
-}
-
-void ScenePresenter::showOtherSide(NamedView view) {
-    const ViewDescription& described = view_.description();
-    if (bounds(described).empty()) return;
-    const ViewCamera now = view_.camera();
-    const ViewDescription placed = placedOnly(models_.document.state(), described);
-    view_.setCamera(framed(placed, fromOtherSide(frameView(placed, view, now.width_px, now.height_px))));
+    view_.setCamera(framedAll(described, view));
 }
 
 void ScenePresenter::showAll() {
     if (bounds(view_.description()).empty()) return;
     const ViewDescription placed = placedOnly(models_.document.state(), view_.description());
-    view_.changeCameras([&](const ViewCamera& camera) { return framed(placed, camera); });
+    const int strip = roomAbove();
+    view_.changeCameras([&](ViewCamera camera) {
+        camera.height_px -= strip;
+        return withRoomAbove(framed(placed, camera), strip);
+    });
+}
+
+ViewCamera ScenePresenter::framedAll(const ViewDescription& described, NamedView view) const {
+    const int strip = roomAbove();
+    const ViewCamera now = view_.camera();
+    return withRoomAbove(
+        frameView(placedOnly(models_.document.state(), described), view, now.width_px, now.height_px - strip),
+        strip);
+}
+
+/// What the tools cover at the top, where they reach over half of the picture; not of several panes.
+int ScenePresenter::roomAbove() const {
+    if (view_.layout() != ViewLayout::one) return 0;
+    double covered = 0;
+    for (const QRectF& place : view_.covered())
+        if (place.top() < 20 && place.width() > 0.5 * view_.camera().width_px)
+            covered = std::max(covered, place.bottom());
+    return static_cast<int>(std::min(covered, 0.3 * view_.camera().height_px));
 }
 
 BoundingBox ScenePresenter::placedBounds() const {
@@ -229,8 +263,7 @@ void ScenePresenter::show(ViewDescription described) {
     }
     const bool frame = frameAll_ && !bounds(described).empty();
     if (frame) {
-        described.camera = frameView(placedOnly(models_.document.state(), described), NamedView::perspective,
-                                     view_.camera().width_px, view_.camera().height_px);
+        described.camera = framedAll(described, NamedView::perspective);
         frameAll_ = false;
     } else {
         described.camera = view_.camera();

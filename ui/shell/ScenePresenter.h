@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/pipeline/ViewRenderer.h"
 #include "ui/shell/ResidualCache.h"
@@ -35,8 +36,6 @@ class ScenePresenter : public QObject {
     };
     ScenePresenter(const Models& models, JobRunner& jobs, SceneView& view, QObject* parent = nullptr);
     void showNamedView(NamedView view);
-    /// What is seen from there, seen from its other side: back for front.
-    void showOtherSide(NamedView view);
     /// Fills every pane with all that has its place, or with the section, seen from where its camera is.
     void showAll();
     /// World bounds of what has its place.
@@ -51,6 +50,9 @@ class ScenePresenter : public QObject {
     void refreshPoints();
 
   private:
+    void chooseColors();
+    ViewCamera framedAll(const ViewDescription& described, NamedView view) const;
+    int roomAbove() const;
     void refresh();
     void refreshMarks();
     void computeResiduals();
@@ -64,8 +66,9 @@ class ScenePresenter : public QObject {
     ResidualCache residuals_;
     JobRunner& jobs_;
     SceneView& view_;
-    bool frameAll_ = true;  ///< the next non-empty picture takes a camera that holds everything
-    int refreshes_ = 0;     ///< residuals that were asked for before the last refresh are out of date
+    std::optional<bool> ownColors_;  ///< whether a single scan was given its own; nothing: not decided yet
+    bool frameAll_ = true;           ///< the next non-empty picture takes a camera that holds everything
+    int refreshes_ = 0;  ///< residuals that were asked for before the last refresh are out of date
 };
 
 }  // namespace vestige

@@ -1,6 +1,7 @@
 #include "ui/shell/SectionBar.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <numbers>
 
 #include "ui/actions/ActionCatalog.h"
+#include "ui/actions/ActionText.h"
 #include "ui/document/Presentation.h"
 
 namespace vestige {
@@ -51,7 +53,16 @@ SectionBar::SectionBar(ActionCatalog& actions, Presentation& presentation, QWidg
                            "view.slab-on", "view.section-reset"})
         slabs->addWidget(barButton(actions[id]));
     slabs->addStretch(1);
-    grid().addLayout(slabs, 2, 2, 1, 2);
+    grid().addLayout(slabs, 3, 1, 1, 3);
+    QAction& inverts = actions["view.section-invert"];
+    auto* invert = new QCheckBox(withoutMnemonic(inverts.text()));
+    invert->setObjectName("section-inverted");
+    invert->setToolTip(inverts.statusTip());
+    connect(invert, &QCheckBox::clicked, &inverts, &QAction::trigger);
+    connect(&presentation_, &Presentation::sectionChanged, invert, [this, invert] {
+        invert->setChecked(presentation_.section() && presentation_.section()->inverted);
+    });
+    grid().addWidget(invert, 2, 2, 1, 2);
     for (QDoubleSpinBox* field : {middle_[0], middle_[1], middle_[2], size_[0], size_[1], size_[2], turn_})
         connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { take(); });
     connect(&presentation_, &Presentation::sectionChanged, this, [this] { follow(); });

@@ -1,7 +1,6 @@
 #include "ui/shell/ToolPalette.h"
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -9,6 +8,7 @@
 #include "ui/actions/ActionCatalog.h"
 #include "ui/actions/KindTools.h"
 #include "ui/document/Presentation.h"
+#include "ui/shell/WrapLayout.h"
 
 namespace vestige {
 namespace {
@@ -137,7 +137,7 @@ QToolButton* compareButton(const ActionCatalog& actions) {
 ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentation, QWidget* parent)
     : QFrame(parent) {
     setObjectName("tool-palette");
-    auto* row = new QHBoxLayout(this);
+    auto* row = new WrapLayout(this);
     row->setContentsMargins(3, 3, 3, 3);
     row->setSpacing(2);
     row->addWidget(buttonFor(actions["tool.orbit"], Qt::ToolButtonTextOnly));
@@ -145,16 +145,21 @@ ToolPalette::ToolPalette(const ActionCatalog& actions, Presentation& presentatio
     row->addWidget(kindButton(actions));
     row->addWidget(buttonFor(actions["tool.lasso"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["tool.box-select"], Qt::ToolButtonIconOnly));
-    row->addWidget(gap());
+    row->addGap(gap());
     row->addWidget(buttonFor(actions["register.tint"], Qt::ToolButtonIconOnly));
     row->addWidget(buttonFor(actions["register.before"], Qt::ToolButtonIconOnly));
     row->addWidget(compareButton(actions));
-    row->addWidget(gap());
+    row->addGap(gap());
     row->addWidget(colorButton(actions, presentation));
     row->addWidget(buttonFor(actions["view.edl"], Qt::ToolButtonIconOnly));
-    row->addWidget(gap());
+    row->addGap(gap());
     for (const char* id : {"view.fit", "view.four", "view.parallel", "view.section", "view.screenshot"})
         row->addWidget(buttonFor(actions[id], Qt::ToolButtonIconOnly));
+}
+
+QSize ToolPalette::sizeWithin(int width) const {
+    const QSize frame = size() - contentsRect().size();
+    return static_cast<WrapLayout*>(layout())->sizeWithin(width - frame.width()) + frame;
 }
 
 }  // namespace vestige

@@ -29,6 +29,8 @@ class ToolSwitch : public QObject {
     ~ToolSwitch() override;
     MeasureTool& measure() { return measure_; }
     PathTool& path() { return path_; }
+    /// What every tool asks for the point under the cursor; hovered() says it in words.
+    HoverProbe& probe() { return probe_; }
 
   signals:
     /// What the next click of the active tool does; empty for a tool that needs no words.

@@ -4,10 +4,12 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "ui/shell/ToolPalette.h"
+
 namespace vestige {
 
 ViewArea::ViewArea(QWidget* parent) : QWidget(parent), hint_(new QLabel(this)) {
-    setMinimumSize(360, 260);
+    setMinimumSize(250, 200);
     hint_->setObjectName("hint");
     hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
     hint_->hide();
@@ -20,7 +22,7 @@ void ViewArea::setView(QWidget* view) {
     arrange();
 }
 
-void ViewArea::setTools(QWidget* tools) {
+void ViewArea::setTools(ToolPalette* tools) {
     tools_ = tools;
     tools->setParent(this);
     arrange();
@@ -92,8 +94,7 @@ void ViewArea::arrange() {
         view_->lower();
     }
     if (tools_) {
-        tools_->adjustSize();
-        tools_->move(10, 10);
+        tools_->setGeometry(QRect(QPoint(10, 10), tools_->sizeWithin(std::max(60, width() - 20))));
         tools_->raise();
     }
     int below = tools_ ? tools_->geometry().bottom() + 8 : 10;

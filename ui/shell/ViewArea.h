@@ -7,6 +7,8 @@ class QLabel;
 
 namespace vestige {
 
+class ToolPalette;
+
 /// The 3D view with what floats over it: tools at the top left, below them what the next click does, and the
 /// welcome page while there is nothing to see.
 class ViewArea : public QWidget {
@@ -15,7 +17,7 @@ class ViewArea : public QWidget {
   public:
     explicit ViewArea(QWidget* parent = nullptr);
     void setView(QWidget* view);
-    void setTools(QWidget* tools);
+    void setTools(ToolPalette* tools);
     /// Stands below the tools, and the bars that were added before, while it is visible.
     void addBar(QWidget* bar);
     void setWelcome(QWidget* welcome);
@@ -39,7 +41,7 @@ class ViewArea : public QWidget {
     void arrange();
 
     QWidget* view_ = nullptr;
-    QWidget* tools_ = nullptr;
+    ToolPalette* tools_ = nullptr;
     std::vector<QWidget*> bars_;
     QWidget* welcome_ = nullptr;
     QWidget* chooser_ = nullptr;

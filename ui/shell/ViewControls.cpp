@@ -31,6 +31,13 @@ constexpr MouseChoice kMice[] = {{"view.mouse-own", NavigationPreset::vestige},
                                  {"view.mouse-cloudcompare", NavigationPreset::cloudCompare},
                                  {"view.mouse-slicer", NavigationPreset::slicer}};
 
+/// Half as long as the scene each way, or nothing would be left when its inside is cut away.
+SectionBox middleOf(const BoundingBox& scene) {
+    SectionBox box = sectionRound(scene);
+    box.halfSize *= 0.5;
+    return box;
+}
+
 void check(QAction& action, bool on) {
     const QSignalBlocker quiet(action);
     action.setChecked(on);
@@ -69,9 +76,6 @@ void ViewControls::attach(ViewArea& area, ViewsPanel& panel) {
 
 void ViewControls::connectCameras() {
     auto& actions = bench_.actions;
-    actions.onTriggered("view.back", [this] { presenter_.showOtherSide(NamedView::front); });
-    actions.onTriggered("view.right", [this] { presenter_.showOtherSide(NamedView::left); });
-    actions.onTriggered("view.bottom", [this] { presenter_.showOtherSide(NamedView::top); });
     actions.onTriggered("view.fit", [this] { presenter_.showAll(); });
     actions.onTriggered("view.pivot", [this] { view_.setPivotUnderCursor(); });
     actions.onToggled("view.parallel",
@@ -96,6 +100,11 @@ void ViewControls::connectSection() {
             shown.setSection(lastSection_.value_or(sectionRound(presenter_.placedBounds())));
         }
     });
+    actions.onToggled("view.section-invert", [this, &shown](bool on) {
+        SectionBox box = shown.section().value_or(lastSection_.value_or(middleOf(presenter_.placedBounds())));
+        box.inverted = on;
+        if (on || shown.section()) shown.setSection(box);
+    });
     actions.onTriggered("view.section-reset",
                         [this, &shown] { shown.setSection(sectionRound(presenter_.placedBounds())); });
     actions.onTriggered("view.slab-x", [this] { cutTo(SlabAxis::x); });
@@ -109,6 +118,7 @@ void ViewControls::connectSection() {
         view_.showSectionHandles(on);
         QAction& action = bench_.actions["view.section"];
         if (action.isChecked() != on) action.setChecked(on);
+        check(bench_.actions["view.section-invert"], on && shown.section()->inverted);
     });
 }
 
@@ -135,6 +145,7 @@ void ViewControls::cutTo(SlabAxis axis) {
         // The other sides stay those of the whole scene; only where it is thin the slab keeps its place.
         const int thin = thinAxis(cut);
         const Eigen::Vector3d across = axisOf(cut, thin);
+        cut.inverted = shown.section()->inverted;
         cut.centre += across.dot(shown.section()->centre - cut.centre) * across;
     }
     shown.setSection(cut);

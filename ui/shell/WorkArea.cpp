@@ -41,6 +41,11 @@
 namespace vestige {
 namespace {
 
+constexpr int kLeft_px = 204;
+constexpr int kRight_px = 356;
+constexpr int kRoomForChart_px = 660;
+constexpr int kRoomForLeft_px = kLeft_px + kRight_px + 300;
+
 QVBoxLayout* columnIn(QWidget* widget, int spacing = 0) {
     auto* column = new QVBoxLayout(widget);
     column->setContentsMargins(0, 0, 0, 0);
@@ -64,10 +69,11 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     splitter->addWidget(left_);
     splitter->addWidget(makeMiddle());
     splitter->addWidget(makeRight());
-    splitter->setStretchFactor(0, 0);
-    splitter->setStretchFactor(1, 1);
-    splitter->setStretchFactor(2, 0);
-    splitter->setSizes({252, 730, 418});
+    // In a smaller window the panels give way down to what they need, then the view.
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 3);
+    splitter->setStretchFactor(2, 1);
+    splitter->setSizes({228, 754, 416});
     column->addWidget(splitter, 1);
     connect(steps_, &StepBar::chosen, tabs_, &StepTabs::showStep);
     connect(tabs_, &StepTabs::stepShown, steps_, &StepBar::setShown);
@@ -82,7 +88,21 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
         if (begun_) tabs_->showStep(WayStep::import);
         follow();
     });
+    // Less than all of it needs: the left goes first.
+    setMinimumWidth(600);
     follow();
+}
+
+void WorkArea::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showLeft();
+    // In a low window the table needs the room.
+    accuracy_->setCompact(height() < kRoomForChart_px);
+}
+
+/// Beside a help dock in a small window there is no room for three columns.
+void WorkArea::showLeft() {
+    left_->setVisible(begun_ && width() >= kRoomForLeft_px);
 }
 
 void WorkArea::follow() {
@@ -98,8 +118,9 @@ void WorkArea::follow() {
              !scene.file.empty() || !scene.measurements.empty();
     viewArea_->showWelcome(empty);
     empty_->setCurrentIndex(begun_ ? 1 : 0);
-    for (QWidget* widget : {static_cast<QWidget*>(steps_), left_, static_cast<QWidget*>(tabs_)})
+    for (QWidget* widget : {static_cast<QWidget*>(steps_), static_cast<QWidget*>(tabs_)})
         widget->setVisible(begun_);
+    showLeft();
     strip_->setVisible(begun_);
 }
 
@@ -141,7 +162,7 @@ QWidget* WorkArea::makeLeft() {
     auto* parts = columnIn(left);
     parts->addWidget(scroll, 1);
     parts->addWidget(history);
-    left->setMinimumWidth(215);
+    left->setMinimumWidth(kLeft_px);
     return left;
 }
 
@@ -184,7 +205,8 @@ QWidget* WorkArea::makeRight() {
         tabs_->showStep(WayStep::measure);
         table->editName(object);
     });
-    column->addWidget(new AccuracyPanel(bench_.document, bench_.selection));
+    accuracy_ = new AccuracyPanel(bench_.document, bench_.selection);
+    column->addWidget(accuracy_);
     auto* tabs = new StepTabs;
     tabs_ = tabs;
     tabs->setObjectName("right");
@@ -209,7 +231,7 @@ QWidget* WorkArea::makeRight() {
                    new BudgetPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions),
                    tr("Selected object"));
     connect(report, &ReportPanel::stepWanted, tabs, &StepTabs::showStep);
-    tabs->setMinimumWidth(340);
+    tabs->setMinimumWidth(kRight_px);
     for (const auto& [id, index] :
          {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),
           std::pair("view.panel-fit", 2), std::pair("view.panel-import", 3), std::pair("view.panel-clean", 4),

@@ -9,6 +9,7 @@ class QVBoxLayout;
 
 namespace vestige {
 
+class AccuracyPanel;
 class CleaningReactions;
 class CleaningTools;
 class SceneView;
@@ -41,7 +42,11 @@ class WorkArea : public QWidget {
     /// A recent file was chosen.
     void chosen(const QString& path);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void showLeft();
     QWidget* makeLeft();
     QWidget* makeMiddle();
     QWidget* makeRight();
@@ -62,6 +67,7 @@ class WorkArea : public QWidget {
     ViewArea* viewArea_ = nullptr;
     ViewsPanel* viewsPanel_ = nullptr;
     PartsPanel* parts_ = nullptr;
+    AccuracyPanel* accuracy_ = nullptr;
 };
 
 }  // namespace vestige

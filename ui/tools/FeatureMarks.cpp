@@ -46,12 +46,12 @@ class FeaturePainter {
             case SnapMode::edge:
                 return line();
             case SnapMode::corner:
-                return sign(
-                    {at_ + QPointF(0, -8), at_ + QPointF(8, 0), at_ + QPointF(0, 8), at_ + QPointF(-8, 0)});
+                return sign({at_ + QPointF(0, -10), at_ + QPointF(10, 0), at_ + QPointF(0, 10),
+                             at_ + QPointF(-10, 0)});
             case SnapMode::highest:
-                return sign({at_, at_ + QPointF(7, 11), at_ + QPointF(-7, 11)});
+                return sign({at_, at_ + QPointF(9, 14), at_ + QPointF(-9, 14)});
             case SnapMode::lowest:
-                return sign({at_, at_ + QPointF(7, -11), at_ + QPointF(-7, -11)});
+                return sign({at_, at_ + QPointF(9, -14), at_ + QPointF(-9, -14)});
             case SnapMode::circle:
                 return circle();
             case SnapMode::centroid:
@@ -137,12 +137,16 @@ void paintFeature(QPainter& painter, const ViewTheme& theme, const ViewCamera& c
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     if (const auto from = camera.project(pick.measured)) {
-        painter.setPen(QPen(theme.casing, 3));
+        painter.setPen(QPen(theme.casing, 4));
         painter.drawLine(QPointF(from->pixel.x(), from->pixel.y()), at);
-        painter.setPen(QPen(theme.highlight, 1.2, Qt::DotLine));
+        painter.setPen(QPen(theme.highlight, 1.8, Qt::DashLine));
         painter.drawLine(QPointF(from->pixel.x(), from->pixel.y()), at);
     }
     FeaturePainter(painter, theme, camera, *pick.feature, at, seen->depth_m).paint();
+    // The place itself, whatever shape stands round it.
+    painter.setPen(QPen(theme.casing, 1.5));
+    painter.setBrush(theme.line);
+    painter.drawEllipse(at, 3.2, 3.2);
     painter.restore();
 }
 

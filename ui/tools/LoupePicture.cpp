@@ -20,6 +20,7 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 struct PainterKey {
     const void* geometry = nullptr;
     const void* residual = nullptr;
+    const void* selected = nullptr;
     ColorMode mode = ColorMode::source;
     Overlay overlay = Overlay::none;
     Theme theme = Theme::dark;
@@ -116,7 +117,13 @@ class Gathering {
     Gathering(const ViewDescription& view, const ViewCamera& camera, const QPointF& centre, double half_px,
               double fine_px)
         : view_(view), camera_(camera), centre_(centre.x(), centre.y()), half_(half_px), fine_(fine_px) {
-        if (view.section) clips_ = view.section->planes();
+        if (view.section) clips_ = view.section->region();
+        for (const ViewLayer& layer : view.layers) {
+            // Flags of other points than the octree's are there for a moment at most.
+            const bool fits =
+                layer.hidden && layer.octree && layer.hidden->size() == layer.octree->cloud().size();
+            hidden_.push_back(fits ? layer.hidden.get() : nullptr);
+        }
     }
 
     /// Calls `sink(layer, point, pixel, depth)` for the points in the square, near boxes first.
@@ -138,16 +145,19 @@ class Gathering {
             const Octree::Node& node = octree.nodes()[next.node];
             const auto place = placeOf(next.layer, next.node);
             const bool tiny = place && place->radius_px < fine_;
-            if (node.childCount > 0 && !tiny) {
-                for (std::uint32_t child = 0; child < node.childCount; ++child)
-                    enter(next.layer, node.firstChild + child);
+            // Of a tiny one the first point stands for all, if it is seen; else one of its parts has it.
+            if (tiny && node.childCount > 0 && show(next.layer, octree.order()[node.begin], sink)) {
+                --left;
                 continue;
             }
-            const std::uint32_t end = tiny ? node.begin + 1 : node.end;
-            for (std::uint32_t at = node.begin; at < end; ++at) {
-                show(next.layer, octree.order()[at], sink);
-                if (--left == 0) break;
+            for (std::uint32_t child = 0; child < node.childCount; ++child)
+                enter(next.layer, node.firstChild + child);
+            if (node.childCount > 0) {
+                --left;
+                continue;
             }
+            for (std::uint32_t at = node.begin; at < node.end && left > 0; ++at, --left)
+                if (show(next.layer, octree.order()[at], sink) && tiny) break;
         }
     }
 
@@ -159,8 +169,9 @@ class Gathering {
         const Eigen::Vector3d world = layer.worldFromLayer * (layer.octree->cloud().origin() + middle);
         const double radius =
             0.5 * layer.worldFromLayer.scale * static_cast<double>((node.max - node.min).norm());
-        for (const ClipPlane& clip : clips_)
-            if (clip.normal.dot(world) + clip.distance < -radius * clip.normal.norm()) return std::nullopt;
+        if (kept(clips_, Eigen::Matrix3d::Identity(), world, Eigen::Vector3d::Zero(),
+                 Eigen::Vector3d::Constant(radius)) == Kept::none)
+            return std::nullopt;
         const double depth = (world - camera_.position).dot(camera_.direction());
         if (!camera_.parallel && depth + radius <= 0) return std::nullopt;
         const double nearest = depth - radius;
@@ -172,15 +183,17 @@ class Gathering {
         return NodePlace{nearest, pixels};
     }
 
+    /// Whether it is in the square and not hidden or cut away.
     template <class Sink>
-    void show(std::size_t index, std::uint32_t point, const Sink& sink) const {
+    bool show(std::size_t index, std::uint32_t point, const Sink& sink) const {
         const ViewLayer& layer = view_.layers[index];
+        if (hidden_[index] && (*hidden_[index])[point]) return false;
         const Eigen::Vector3d world = layer.worldFromLayer * layer.octree->cloud().point(point);
         const auto seen = camera_.project(world);
-        if (!seen || (seen->pixel - centre_).cwiseAbs().maxCoeff() > half_) return;
-        for (const ClipPlane& clip : clips_)
-            if (clip.normal.dot(world) + clip.distance < 0) return;
+        if (!seen || (seen->pixel - centre_).cwiseAbs().maxCoeff() > half_) return false;
+        if (!clips_.keeps(world)) return false;
         sink(index, point, seen->pixel, seen->depth_m);
+        return true;
     }
 
     const ViewDescription& view_;
@@ -188,7 +201,8 @@ class Gathering {
     Eigen::Vector2d centre_;
     double half_;
     double fine_;
-    std::vector<ClipPlane> clips_;
+    ClipRegion clips_;
+    std::vector<const std::vector<std::uint8_t>*> hidden_;
 };
 
 }  // namespace
@@ -201,6 +215,7 @@ struct LoupePicture::Private {
         const ViewLayer& layer = view.layers[index];
         const PainterKey key{layer.geometry.get(),
                              layer.residual_m.get(),
+                             layer.selected.get(),
                              view.colorMode,
                              view.overlay,
                              view.theme,

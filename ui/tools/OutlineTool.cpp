@@ -70,10 +70,8 @@ bool OutlineTool::mousePress(SceneView&, const QMouseEvent& event) {
 
 bool OutlineTool::mouseMove(SceneView& view, const QMouseEvent& event) {
     if (passing_ && event.buttons() != Qt::NoButton) return false;
-    if (corners_.empty()) {
-        probe_.moved(view, event);
-        return false;
-    }
+    probe_.moved(view, event);
+    if (corners_.empty()) return false;
     cursor_ = event.pos();
     const bool down = pressed_ && (event.buttons() & Qt::LeftButton);
     if (down && !stroke_)

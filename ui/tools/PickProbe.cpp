@@ -39,6 +39,7 @@ struct PickProbe::Question {
     std::string layer;
     std::uint32_t point;
     std::shared_ptr<const Octree> octree;
+    std::shared_ptr<const std::vector<std::uint8_t>> hidden;  ///< of the octree's points; may be null
     SnapRequest request;
     Similarity pointFromShown;  ///< from where the view shows the layer to the frame of the recorded point
 
@@ -47,11 +48,7 @@ struct PickProbe::Question {
                same(request.sceneFromLayer, other.request.sceneFromLayer) &&
                same(pointFromShown, other.pointFromShown) &&
                request.viewDirection.dot(other.request.viewDirection) > 1 - 1e-6 &&
-               request.clips.size() == other.request.clips.size() &&
-               std::equal(request.clips.begin(), request.clips.end(), other.request.clips.begin(),
-                          [](const ClipPlane& a, const ClipPlane& b) {
-                              return a.normal == b.normal && a.distance == b.distance;
-                          });
+               request.clips == other.request.clips && hidden == other.hidden;
     }
 };
 
@@ -151,13 +148,15 @@ std::shared_ptr<const PickProbe::Question> PickProbe::question(SceneView& view, 
     asked->point = place.under->point;
     asked->octree = layer->data->octree;
     asked->request.octree = asked->octree.get();
+    if (shown.hidden && shown.hidden->size() == asked->octree->cloud().size()) asked->hidden = shown.hidden;
+    asked->request.hidden = asked->hidden.get();
     asked->request.sceneFromLayer = shown.worldFromLayer;
     asked->request.seed = place.under->world;
     asked->request.viewDirection =
         view.camera().ray({place.position.x() + 0.5, place.position.y() + 0.5}).direction;
     asked->request.sensorNoise_m = sensorNoise_m(layer->role);
     asked->request.radius_m = 0;
-    if (view.description().section) asked->request.clips = view.description().section->planes();
+    if (view.description().section) asked->request.clips = view.description().section->region();
     asked->pointFromShown = sceneFromPick(scene, pick.point).inverse() * sceneFromShown;
     place.pick = std::move(pick);
     return asked;

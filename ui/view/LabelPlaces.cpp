@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace vestige {
 namespace {
@@ -10,6 +11,9 @@ namespace {
 constexpr double kEdge_px = 4;     ///< a label keeps off the picture's edge
 constexpr double kBetween_px = 5;  ///< from one label of a column to the next
 constexpr double kBeside_px = 46;  ///< from the outermost line to a column
+/// Columns of labels would take most of a picture narrower or lower than this.
+constexpr double kNarrow_px = 640;
+constexpr double kLow_px = 400;
 
 /// Where a label can stand beside the line: at the middle first, then along it, further off.
 std::vector<QRectF> placesBeside(const QLineF& line, const QSizeF& size, bool anywhere) {
@@ -159,8 +163,8 @@ bool cross(const QLineF& one, const QLineF& other) {
 /// Two columns of labels with leaders.
 class Columns {
   public:
-    Columns(const std::vector<LabelWish>& wishes, const QRectF& inside, const std::vector<QRectF>& taken)
-        : wishes_(wishes), inside_(inside), taken_(taken) {
+    Columns(const std::vector<LabelWish>& wishes, const QRectF& inside, std::vector<QRectF> taken)
+        : wishes_(wishes), inside_(inside), taken_(std::move(taken)) {
         QRectF lines;
         for (const LabelWish& wish : wishes_)
             lines |= QRectF(wish.line.p1(), wish.line.p2()).normalized().adjusted(-1, -1, 1, 1);
@@ -168,7 +172,7 @@ class Columns {
         right_ = lines.right() + kBeside_px;
     }
 
-    void place(std::vector<std::size_t> open, std::vector<std::optional<LabelPlace>>& places) const {
+    void place(std::vector<std::size_t> open, std::vector<std::optional<LabelPlace>>& places) {
         std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
             const QPointF one = middle(a);
             const QPointF other = middle(b);
@@ -178,6 +182,9 @@ class Columns {
         // A single one stands on the side with more room.
         if (open.size() == 1 && left_ - inside_.left() > inside_.right() - right_) half = 1;
         fill({open.begin(), open.begin() + half}, true, places);
+        // In a narrow picture the other column may reach over this one.
+        for (auto one = open.begin(); one != open.begin() + half; ++one)
+            if (places[*one]) taken_.push_back(places[*one]->box);
         fill({open.begin() + half, open.end()}, false, places);
     }
 
@@ -252,7 +259,7 @@ class Columns {
 
     const std::vector<LabelWish>& wishes_;
     QRectF inside_;
-    const std::vector<QRectF>& taken_;
+    std::vector<QRectF> taken_;
     double left_ = 0;
     double right_ = 0;
 };
@@ -281,11 +288,38 @@ std::vector<std::optional<LabelPlace>> placeLabels(const std::vector<LabelWish>&
         taken.push_back(*box);
         busy.push_back(*box);
     }
-    if (!open.empty()) Columns(wishes, inside, busy).place(open, places);
+    if (picture.width() < kNarrow_px || picture.height() < kLow_px) {
+        // Those that must stand somewhere first, in a column; they are few.
+        const auto others =
+            std::stable_partition(open.begin(), open.end(), [&](std::size_t i) { return wishes[i].must; });
+        std::vector<std::size_t> rest(others, open.end());
+        open.erase(others, open.end());
+        if (!open.empty()) Columns(wishes, inside, busy).place(open, places);
+        for (const std::size_t i : open)
+            if (places[i]) busy.push_back(places[i]->box);
+        for (const std::size_t i : rest) {
+            const auto box =
+                choose(placesBeside(wishes[i].line, wishes[i].sizeBrief, false), inside, busy, false);
+            if (!box) continue;
+            places[i] = LabelPlace{*box, std::nullopt, true};
+            busy.push_back(*box);
+        }
+    } else if (!open.empty()) {
+        Columns(wishes, inside, busy).place(open, places);
+    }
     for (const std::size_t i : open) {
         if (places[i] || !wishes[i].must) continue;
-        const auto box = choose(placesBeside(wishes[i].line, wishes[i].size, true), inside, busy, true);
-        if (box) places[i] = LabelPlace{*box, std::nullopt};
+        const QSizeF& size = wishes[i].size;
+        const auto box = choose(placesBeside(wishes[i].line, size, true), inside, busy, true);
+        if (box) {
+            places[i] = LabelPlace{*box, std::nullopt};
+            continue;
+        }
+        // At the picture's edge: as near to its line as lies inside.
+        QRectF at(wishes[i].line.center() - QPointF(0.5 * size.width(), size.height() + 9), size);
+        at.moveLeft(std::max(inside.left(), std::min(at.left(), inside.right() - size.width())));
+        at.moveTop(std::max(inside.top(), std::min(at.top(), inside.bottom() - size.height())));
+        places[i] = LabelPlace{at, std::nullopt};
     }
     return places;
 }

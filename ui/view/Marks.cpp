@@ -37,6 +37,8 @@ void paintEnd(QPainter& painter, const ViewTheme& theme, const QPointF& end, con
 constexpr double kPadding_px = 9;
 constexpr double kGap_px = 10;
 constexpr double kHeight_px = 25;
+constexpr double kBriefPadding_px = 5;
+constexpr double kBriefHeight_px = 18;
 
 struct Fonts {
     QFont length;
@@ -47,13 +49,22 @@ QString nameOf(const PaintedMark& mark) {
     return QString::fromStdString(mark.mark.name);
 }
 
+/// The value without its uncertainty.
+QString briefOf(const PaintedMark& mark) {
+    const QString label = QString::fromStdString(mark.mark.label);
+    return label.left(label.indexOf(QString::fromUtf8(" ±")));
+}
+
 LabelWish wishOf(const Fonts& fonts, const PaintedMark& mark, const SeenLine& line) {
-    LabelWish wish{QLineF(line.a, line.b), {}, {}, mark.pending || mark.mark.highlighted, mark.pending};
+    LabelWish wish{QLineF(line.a, line.b), {}, {}, {}, mark.pending || mark.mark.highlighted, mark.pending};
     if (mark.mark.label.empty()) return wish;
     const QString length = QString::fromStdString(mark.mark.label);
     const double width = std::ceil(QFontMetricsF(fonts.length).horizontalAdvance(length)) + 2 * kPadding_px;
     wish.size = {width, kHeight_px};
     wish.sizeAside = wish.size;
+    wish.sizeBrief = {
+        std::ceil(QFontMetricsF(fonts.name).horizontalAdvance(briefOf(mark))) + 2 * kBriefPadding_px,
+        kBriefHeight_px};
     if (!mark.mark.name.empty())
         wish.sizeAside.rwidth() +=
             std::ceil(QFontMetricsF(fonts.name).horizontalAdvance(nameOf(mark))) + kGap_px;
@@ -66,6 +77,12 @@ void paintLabel(QPainter& painter, const ViewTheme& theme, const Fonts& fonts, c
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(place.box, 5, 5);
     painter.setBrush(Qt::NoBrush);
+    if (place.brief) {
+        painter.setFont(fonts.name);
+        painter.setPen(theme.text);
+        painter.drawText(place.box, Qt::AlignCenter, briefOf(mark));
+        return;
+    }
     const QRectF words = place.box.adjusted(kPadding_px, 0, -kPadding_px, 0);
     painter.setFont(fonts.length);
     painter.setPen(theme.text);

@@ -8,9 +8,11 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace vestige {
 namespace {
@@ -45,15 +47,8 @@ vtkSmartPointer<vtkActor> makeMeshActor(const TriangleMesh& mesh, const Similari
 
     vtkNew<vtkPoints> points;
     points->SetData(floatTuples(places));
-    vtkNew<vtkCellArray> cells;
-    cells->AllocateExact(static_cast<vtkIdType>(mesh.triangles.size()),
-                         static_cast<vtkIdType>(3 * mesh.triangles.size()));
-    for (const Triangle& triangle : mesh.triangles)
-        cells->InsertNextCell({static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
-                               static_cast<vtkIdType>(triangle[2])});
     vtkNew<vtkPolyData> surface;
     surface->SetPoints(points);
-    surface->SetPolys(cells);
     surface->GetPointData()->SetNormals(floatTuples(vertexNormals(places, mesh.triangles)));
 
     vtkNew<vtkPolyDataMapper> mapper;
@@ -67,6 +62,36 @@ vtkSmartPointer<vtkActor> makeMeshActor(const TriangleMesh& mesh, const Similari
     actor->GetProperty()->SetDiffuse(0.8);
     actor->GetProperty()->SetSpecular(0.05);
     return actor;
+}
+
+void setTriangles(vtkActor& actor, const TriangleMesh& mesh, const std::vector<std::uint8_t>* hidden) {
+    const auto isHidden = [&](std::uint32_t corner) {
+        return hidden && corner < hidden->size() && (*hidden)[corner] != 0;
+    };
+    vtkNew<vtkCellArray> cells;
+    cells->AllocateEstimate(static_cast<vtkIdType>(mesh.triangles.size()), 3);
+    for (const Triangle& triangle : mesh.triangles)
+        if (std::none_of(triangle.begin(), triangle.end(), isHidden))
+            cells->InsertNextCell({static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
+                                   static_cast<vtkIdType>(triangle[2])});
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor.GetMapper());
+    mapper->GetInput()->SetPolys(cells);
+    mapper->Modified();
+}
+
+void setInverted(vtkActor& actor, bool inverted) {
+    // The mapper's own text has a fragment go that is outside of any plane.
+    vtkShaderProperty* shader = actor.GetShaderProperty();
+    if ((shader->GetNumberOfShaderReplacements() > 0) == inverted) return;
+    shader->ClearAllFragmentShaderReplacements();
+    if (!inverted) return;
+    shader->AddFragmentShaderReplacement("//VTK::Clip::Impl", true, R"(
+  bool cutAway = true;
+  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)
+    if (clipDistancesVSOutput[planeNum] < 0.0) cutAway = false;
+  if (cutAway) discard;
+)",
+                                         true);
 }
 
 void setVertexColors(vtkActor& actor, const std::vector<std::array<std::uint8_t, 4>>& colors) {

@@ -102,7 +102,10 @@ void paintOverlay(QPainter& painter, const OverlayContent& content) {
         QRectF below = inside;
         for (const QRectF& cover : content.covered)
             if (cover.right() > inside.center().x()) below.setTop(std::max(below.top(), cover.bottom() + 10));
-        taken.push_back(paintLegend(painter, theme, below, view, content.scale));
+        // Under so many bars it would lie over what stands at the bottom.
+        constexpr double kLeastForLegend_px = 130;
+        if (below.top() == inside.top() || below.height() >= kLeastForLegend_px)
+            taken.push_back(paintLegend(painter, theme, below, view, content.scale));
     }
     if (view.showScaleBar)
         taken.push_back(

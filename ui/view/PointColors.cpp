@@ -52,13 +52,11 @@ class Brightness {
   public:
     explicit Brightness(Geometry geometry) : geometry_(std::move(geometry)) {
         intensity_ = !attributes().intensity.empty();
-        if (!intensity_ && attributes().color.empty()) return;
-        SampledRange range;
-        range.sample(intensity_ ? attributes().intensity.size() : attributes().color.size(),
-                     [&](std::size_t i) { return raw(i); });
-        if (range.empty()) return;
-        low_ = range.quantile(0.02);
-        span_ = range.quantile(0.98) - low_;
+        sample();
+        // Photogrammetric clouds have the field in their files, and nothing in it.
+        if (known() || !intensity_) return;
+        intensity_ = false;
+        sample();
     }
 
     bool known() const { return span_ > 0; }
@@ -66,6 +64,15 @@ class Brightness {
 
   private:
     const PointAttributes& attributes() const { return geometry_->vertices.attributes(); }
+    void sample() {
+        const std::size_t count = intensity_ ? attributes().intensity.size() : attributes().color.size();
+        if (count == 0) return;
+        SampledRange range;
+        range.sample(count, [&](std::size_t i) { return raw(i); });
+        if (range.empty()) return;
+        low_ = range.quantile(0.02);
+        span_ = range.quantile(0.98) - low_;
+    }
     double raw(std::size_t i) const {
         return intensity_ ? attributes().intensity[i] : luminance(attributes().color[i]);
     }

@@ -35,16 +35,18 @@ uniform int parallel;
 uniform float reference;  // depth at which points have their size, m; 0: everywhere
 uniform vec4 clips[6];
 uniform int clipCount;
+uniform int clipInverted;
 void main() {
     color = paint;
     vec4 moved = motion * vec4(place, 1.0);
-    for (int i = 0; i < clipCount; ++i) {
-        if (dot(clips[i], moved) < 0.0) {
-            gl_Position = vec4(2.0, 2.0, 2.0, 1.0);   // outside of every picture
-            gl_PointSize = 1.0;
-            size = 1.0;
-            return;
-        }
+    int inside = 1;
+    for (int i = 0; i < clipCount; ++i)
+        if (dot(clips[i], moved) < 0.0) inside = 0;
+    if (clipCount > 0 && inside == clipInverted) {
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);   // outside of every picture
+        gl_PointSize = 1.0;
+        size = 1.0;
+        return;
     }
     gl_Position = clipFromDisplay * moved;
     float here = pointSize;
@@ -239,6 +241,7 @@ void PointProp::setUniforms(vtkShaderProgram& program, vtkRenderer& renderer) co
     for (std::size_t i = 0; i < count; ++i) std::copy_n(clips_[i].data(), 4, clips[i]);
     program.SetUniform4fv("clips", static_cast<int>(kMostClips), clips);
     program.SetUniformi("clipCount", static_cast<int>(count));
+    program.SetUniformi("clipInverted", invertClips_ ? 1 : 0);
     program.SetUniformf("spacing",
                         static_cast<float>(blocks_.spacing_m() * 0.5 * renderer.GetSize()[1] / halfHeight));
 }

@@ -41,9 +41,12 @@ class PointProp : public vtkProp {
     /// ones smaller.
     void setSizeByDistance(bool on) { sizeByDistance_ = on; }
 
-    /// Half spaces of the display frame, normal and distance, of which each point must lie in all; six at
-    /// most.
-    void setClips(std::vector<Eigen::Vector4f> clips) { clips_ = std::move(clips); }
+    /// Half spaces of the display frame, normal and distance, of which each point must lie in all, six at
+    /// most; inverted, those that do so are left out.
+    void setClips(std::vector<Eigen::Vector4f> clips, bool inverted) {
+        clips_ = std::move(clips);
+        invertClips_ = inverted;
+    }
 
     /// Moves the points from where setPoints() has them, in the display frame.
     void setMotion(const Eigen::Matrix4f& motion) { motion_ = motion; }
@@ -107,6 +110,7 @@ class PointProp : public vtkProp {
     double pull_m_ = 0;
     bool sizeByDistance_ = false;
     std::vector<Eigen::Vector4f> clips_;
+    bool invertClips_ = false;
     Eigen::Matrix4f motion_ = Eigen::Matrix4f::Identity();
     double bounds_[6] = {-1, 1, -1, 1, -1, 1};
 };

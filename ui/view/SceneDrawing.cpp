@@ -201,8 +201,12 @@ struct SceneDrawing::Private {
                            layer.selected,
                            layer.hidden};
         if (drawn.colors == key) return;
+        const bool otherTriangles = !drawn.colors || drawn.colors->hidden != key.hidden;
         drawn.colors = key;
-        if (drawn.mesh) return setVertexColors(*drawn.mesh, pointColors(view, index, scale));
+        if (drawn.mesh) {
+            if (otherTriangles) setTriangles(*drawn.mesh, *layer.geometry, layer.hidden.get());
+            return setVertexColors(*drawn.mesh, pointColors(view, index, scale));
+        }
         drawn.points->setPainter(pointPainter(view, index, scale));
     }
 
@@ -287,7 +291,9 @@ struct SceneDrawing::Private {
 
     void clip(Drawn& drawn) const {
         const std::vector<Eigen::Vector4f> sides = clips();
-        if (drawn.points) return drawn.points->setClips(sides);
+        const bool inverted = section && section->inverted;
+        if (drawn.points) return drawn.points->setClips(sides, inverted);
+        setInverted(*drawn.mesh, inverted);
         drawn.mesh->GetMapper()->RemoveAllClippingPlanes();
         for (const Eigen::Vector4f& side : sides) {
             vtkNew<vtkPlane> plane;
@@ -299,14 +305,11 @@ struct SceneDrawing::Private {
         }
     }
 
-    /// Whether a box of the world lies outside of the section.
+    /// Whether the section cuts away all of a box of the world.
     bool isCut(const BoundingBox& box) const {
         if (!section || box.empty()) return false;
-        const Eigen::Vector3d half = 0.5 * (box.max - box.min);
-        const std::vector<ClipPlane> planes = section->planes();
-        return std::any_of(planes.begin(), planes.end(), [&](const ClipPlane& plane) {
-            return plane.normal.dot(box.centre()) + plane.normal.cwiseAbs().dot(half) + plane.distance < 0;
-        });
+        return kept(section->region(), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(), box.centre(),
+                    0.5 * (box.max - box.min)) == Kept::none;
     }
 };
 

@@ -115,7 +115,7 @@ struct SceneView::Private {
                                   description.layers[i].worldFromLayer, hiddenOf(i)});
         PickOptions options;
         options.radius_px = radius_px;
-        if (description.section) options.clips = description.section->planes();
+        if (description.section) options.clips = description.section->region();
         return pickPoint(layers, panes().pointed().camera, {position.x() + 0.5, position.y() + 0.5}, options);
     }
 

@@ -5,15 +5,6 @@
 #include <cmath>
 
 namespace vestige {
-namespace {
-
-bool isClipped(const std::vector<ClipPlane>& clips, const Eigen::Vector3d& world) {
-    return std::any_of(clips.begin(), clips.end(),
-                       [&](const ClipPlane& clip) { return clip.normal.dot(world) + clip.distance < 0; });
-}
-
-}  // namespace
-
 double snapRadius_m(double sensorNoise_m, double localSpacing_m) {
     return std::max(8 * sensorNoise_m, 8 * localSpacing_m);
 }
@@ -65,8 +56,9 @@ Result<Neighbourhood> neighbourhoodOf(const SnapRequest& request, double widenin
     found.spotLevel_rad = request.spotLevel_rad;
     found.points.reserve(neighbours.size());
     for (const Octree::Neighbour& neighbour : neighbours) {
+        if (request.hidden && (*request.hidden)[neighbour.point]) continue;
         const Eigen::Vector3d world = request.sceneFromLayer * cloud.point(neighbour.point);
-        if (isClipped(request.clips, world)) continue;
+        if (!request.clips.keeps(world)) continue;
         FitPoint point{.position = world - request.seed};
         if (found.hasEnergy) point.energy = static_cast<double>(attributes.intensity[neighbour.point]);
         if (found.hasBeams) {

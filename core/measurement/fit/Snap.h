@@ -25,7 +25,9 @@ struct SnapRequest {
     const ScannerPath* path = nullptr;
     double spotUpright_rad = 0;  ///< full width of the beam at half power, upright and level
     double spotLevel_rad = 0;
-    std::vector<ClipPlane> clips;  ///< what they cut away is not fitted to
+    ClipRegion clips;  ///< what it cuts away is not fitted to
+    /// Points that are not shown (not 0), by index; they are not fitted to. Null: all are shown.
+    const std::vector<std::uint8_t>* hidden = nullptr;
 };
 
 /// The feature of that kind nearest to where the view meets the seed, in the scene frame, metres. Modes:

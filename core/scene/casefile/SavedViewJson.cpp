@@ -18,13 +18,15 @@ nlohmann::ordered_json vectorJson(const Eigen::Vector3d& vector) {
 }  // namespace
 
 nlohmann::ordered_json sectionJson(const SectionBox& section) {
-    return {{"centre", vectorJson(section.centre)},
-            {"half_size_m", vectorJson(section.halfSize)},
-            {"heading_rad", section.heading_rad}};
+    nlohmann::ordered_json json{{"centre", vectorJson(section.centre)},
+                                {"half_size_m", vectorJson(section.halfSize)},
+                                {"heading_rad", section.heading_rad}};
+    if (section.inverted) json["inverted"] = true;
+    return json;
 }
 
 SectionBox readSection(const JsonCursor& cursor) {
-    cursor.warnOfOthers({"centre", "half_size_m", "heading_rad"});
+    cursor.warnOfOthers({"centre", "half_size_m", "heading_rad", "inverted"});
     SectionBox section;
     section.centre = cursor.at("centre").vector3();
     section.halfSize = cursor.at("half_size_m").vector3();
@@ -32,6 +34,7 @@ SectionBox readSection(const JsonCursor& cursor) {
         cursor.at("half_size_m")
             .reject("a section box has no such sides", "expected metres above 0, up to 1e7");
     if (const auto heading = cursor.find("heading_rad")) section.heading_rad = heading->real();
+    if (const auto inverted = cursor.find("inverted")) section.inverted = inverted->boolean();
     return section;
 }
 

@@ -32,15 +32,35 @@ TEST(CameraProjection, KeepsWhatLiesAtTheFocalPointsDepth) {
 
 TEST(CameraProjection, LooksFromTheOtherSide) {
     const ViewCamera front = fitCamera(kBox, NamedView::front, 900, 600);
-    const ViewCamera back = fromOtherSide(front);
+    const ViewCamera back = fitCamera(kBox, NamedView::back, 900, 600);
     EXPECT_NEAR((back.direction() + front.direction()).norm(), 0, 1e-12);
     EXPECT_NEAR((back.viewUp - front.viewUp).norm(), 0, 1e-12);
     const ViewCamera top = fitCamera(kBox, NamedView::top, 900, 600);
-    const ViewCamera bottom = fromOtherSide(top);
+    const ViewCamera bottom = fitCamera(kBox, NamedView::bottom, 900, 600);
     EXPECT_NEAR((bottom.direction() - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
     // x keeps running to the right.
     EXPECT_NEAR(bottom.project(bottom.focalPoint + Eigen::Vector3d::UnitX())->pixel.x(),
                 top.project(top.focalPoint + Eigen::Vector3d::UnitX())->pixel.x(), 1e-6);
+    const ViewCamera left = fitCamera(kBox, NamedView::left, 900, 600);
+    const ViewCamera right = fitCamera(kBox, NamedView::right, 900, 600);
+    EXPECT_NEAR((right.direction() + left.direction()).norm(), 0, 1e-12);
+    EXPECT_TRUE(back.parallel && right.parallel && bottom.parallel);
+    for (const char* side : {"back", "right", "bottom"}) EXPECT_EQ(name(*namedViewFromName(side)), side);
+}
+
+TEST(CameraProjection, LeavesRoomAboveAtTheSameScale) {
+    for (const bool parallel : {false, true}) {
+        const ViewCamera from = withProjection(oblique(), parallel);
+        const ViewCamera to = withRoomAbove(from, 80);
+        EXPECT_EQ(to.height_px, from.height_px + 80);
+        const Eigen::Vector3d right = from.direction().cross(from.viewUp).normalized();
+        const Eigen::Vector3d up = right.cross(from.direction());
+        for (const auto& [x, y] : {std::pair(0.0, 0.0), std::pair(1.0, -2.0), std::pair(-3.0, 1.5)}) {
+            const Eigen::Vector3d place = from.focalPoint + x * right + y * up;
+            const Eigen::Vector2d moved = to.project(place)->pixel - from.project(place)->pixel;
+            EXPECT_NEAR((moved - Eigen::Vector2d(0, 80)).norm(), 0, 1e-6);
+        }
+    }
 }
 
 TEST(CameraProjection, ShowsAllOfItInAPictureOfAnotherShape) {

@@ -56,10 +56,10 @@ std::optional<Pick> reference(std::span<const PickLayer> layers, const ViewCamer
             Pick pick{layer.layer, i, layer.worldFromLayer * layer.octree->cloud().point(i), 0, 0, 0};
             const auto seen = camera.project(pick.world);
             if (!seen || (seen->pixel - cursor).norm() > options.radius_px) continue;
-            bool kept = true;
-            for (const ClipPlane& clip : options.clips)
-                kept = kept && clip.normal.dot(pick.world) + clip.distance >= 0;
-            if (!kept) continue;
+            bool inside = true;
+            for (const ClipPlane& clip : options.clips.planes)
+                inside = inside && clip.normal.dot(pick.world) + clip.distance >= 0;
+            if (inside == options.clips.inverted) continue;
             pick.depth_m = seen->depth_m;
             pick.cursorDistance_px = (seen->pixel - cursor).norm();
             pick.localSpacing_m =
@@ -104,8 +104,9 @@ TEST(Picking, AgreesWithTheRuleSaidByBruteForce) {
         const ViewCamera camera = viewOf(trial % 2, trial % 3 == 0 ? 6 : 25);
         PickOptions options;
         options.radius_px = trial % 7 == 0 ? 25 : 6;
-        if (trial % 5 == 0) options.clips.push_back({{0, 1, 0}, -(kSite.y() + 8.5)});
-        if (trial % 10 == 0) options.clips.push_back({{-0.3, 0, -1}, 0.3 * kSite.x() + kSite.z() + 6});
+        if (trial % 5 == 0) options.clips.planes.push_back({{0, 1, 0}, -(kSite.y() + 8.5)});
+        options.clips.inverted = trial % 15 == 0;
+        if (trial % 10 == 0) options.clips.planes.push_back({{-0.3, 0, -1}, 0.3 * kSite.x() + kSite.z() + 6});
         const Eigen::Vector2d cursor(random.uniform(-20, 660), random.uniform(100, 500));
         const auto expected = reference(layers.all, camera, cursor, options);
         const auto found = pickPoint(layers.all, camera, cursor, options);
@@ -139,11 +140,11 @@ TEST(Picking, TakesTheFrontWallUntilItIsClipped) {
     const auto front = pickPoint(wide, camera, middle, options);
     ASSERT_TRUE(front);
     EXPECT_NEAR(front->world.y() - kSite.y(), 8, 0.2);
-    options.clips.push_back({{0, 1, 0}, -(kSite.y() + 9)});
+    options.clips.planes.push_back({{0, 1, 0}, -(kSite.y() + 9)});
     const auto behind = pickPoint(wide, camera, middle, options);
     ASSERT_TRUE(behind);
     EXPECT_NEAR(behind->world.y() - kSite.y(), 12, 0.2);
-    options.clips.push_back({{0, -1, 0}, kSite.y() + 10});
+    options.clips.planes.push_back({{0, -1, 0}, kSite.y() + 10});
     EXPECT_FALSE(pickPoint(wide, camera, middle, options));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "core/base/Parallel.h"
@@ -85,10 +86,11 @@ std::vector<std::uint32_t> reference(const PickLayer& layer, const ViewCamera& v
     for (std::uint32_t i = 0; i < layer.octree->cloud().size(); ++i) {
         const Eigen::Vector3d world = layer.worldFromLayer * layer.octree->cloud().point(i);
         if (layer.hidden && (*layer.hidden)[i]) continue;
-        const bool kept = std::all_of(options.clips.begin(), options.clips.end(), [&](const ClipPlane& clip) {
+        const auto& planes = options.clips.planes;
+        const bool kept = std::all_of(planes.begin(), planes.end(), [&](const ClipPlane& clip) {
             return clip.normal.dot(world) + clip.distance >= 0;
         });
-        if (!kept) continue;
+        if (kept == options.clips.inverted) continue;
         const auto seen = view.project(world);
         bool inside = false;
         if (seen) {
@@ -153,10 +155,12 @@ TEST(PointsInOutline, AreThoseWhosePixelsLieWithin) {
     for (std::size_t i = 0; i < hidden.size(); i += 7) hidden[i] = 1;
     scene.layers[0].hidden = &hidden;
     for (const bool parallel : {false, true})
-        for (const bool outside : {false, true}) {
+        for (const auto& [outside, inverted] : {std::pair(false, false), std::pair(true, false),
+                                                std::pair(false, true), std::pair(true, true)}) {
             OutlineOptions options;
             options.outside = outside;
-            options.clips = {{Eigen::Vector3d(1, 0, 0), 1 - kSite.x()}};
+            options.clips.planes = {{Eigen::Vector3d(1, 0, 0), 1 - kSite.x()}};
+            options.clips.inverted = inverted;
             const ViewCamera view = camera(parallel);
             const Corners corners = star({210, 150}, 120, 6);
             const auto found = pointsInOutline(scene.layers, view, corners, options);
@@ -165,10 +169,41 @@ TEST(PointsInOutline, AreThoseWhosePixelsLieWithin) {
             for (std::size_t layer = 0; layer < 2; ++layer) {
                 expectNearlySame(found->points[layer],
                                  reference(scene.layers[layer], view, corners, options));
-                EXPECT_GT(found->points[layer].size(), 500U);
+                EXPECT_GT(found->points[layer].size(), 150U);
             }
             EXPECT_FALSE(found->deepest_m);
         }
+}
+
+/// Said with two loops over what was found.
+TEST(PointsInOutline, CountWhatLiesBehindWhatIsSeen) {
+    Scene scene;
+    for (const bool parallel : {false, true}) {
+        const ViewCamera view = camera(parallel);
+        OutlineOptions options;
+        options.behind_m = 0.5;
+        const auto found = pointsInOutline(scene.layers, view, star({210, 150}, 120, 6), options);
+        ASSERT_TRUE(found);
+        std::map<std::pair<int, int>, double> nearest;
+        std::vector<std::pair<std::pair<int, int>, double>> all;
+        for (std::size_t layer = 0; layer < 2; ++layer)
+            for (const std::uint32_t i : found->points[layer]) {
+                const auto seen = view.project(scene.layers[layer].worldFromLayer *
+                                               scene.layers[layer].octree->cloud().point(i));
+                const std::pair tile(static_cast<int>(seen->pixel.x()) / 4,
+                                     static_cast<int>(seen->pixel.y()) / 4);
+                const auto known = nearest.try_emplace(tile, seen->depth_m).first;
+                known->second = std::min(known->second, seen->depth_m);
+                all.emplace_back(tile, seen->depth_m);
+            }
+        const auto behind = std::count_if(all.begin(), all.end(), [&](const auto& point) {
+            return point.second > nearest[point.first] + 0.5;
+        });
+        EXPECT_GT(behind, 200);
+        EXPECT_NEAR(static_cast<double>(found->behind), static_cast<double>(behind), 3);
+        options.outside = true;
+        EXPECT_EQ(pointsInOutline(scene.layers, view, star({210, 150}, 120, 6), options)->behind, 0U);
+    }
 }
 
 TEST(PointsInOutline, EndAtTheDepthBehindTheNearestSurface) {

@@ -17,7 +17,7 @@ SavedView topView(const std::string& name) {
     SavedView view;
     view.name = name;
     view.camera = fitCamera({{483000, 4375000, 30}, {483040, 4375020, 38}}, NamedView::top, 900, 600);
-    view.section = SectionBox{{483010.125, 4375010.5, 33}, {4, 2, 0.1}, 0.7};
+    view.section = SectionBox{{483010.125, 4375010.5, 33}, {4, 2, 0.1}, 0.7, true};
     view.colorMode = "class";
     view.scale = 100;
     view.inReport = false;

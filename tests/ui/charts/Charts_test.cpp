@@ -5,6 +5,7 @@
 
 #include "ui/charts/FitChart.h"
 #include "ui/charts/Histogram.h"
+#include "ui/charts/ReChart.h"
 
 namespace vestige {
 namespace {
@@ -102,6 +103,39 @@ TEST(Histogram, BarsStandByTheirCountsAndInsideTheArea) {
     EXPECT_NEAR(redIn(static_cast<int>(left)), 0.25 * redIn(static_cast<int>(middle)), 2);
     EXPECT_NEAR(redIn(static_cast<int>(left)), redIn(static_cast<int>(right)), 1);
     EXPECT_GT(redIn(static_cast<int>(middle)), 100);
+}
+
+TEST(ReChart, AnExcludedValueDoesNotFlattenTheOthers) {
+    BarChart chart;
+    chart.unit = "%";
+    chart.categories = {"a", "b"};
+    chart.series = {{"lidar", {2.0, 200.0}, {false, true}}};
+    const ChartStyle style = inkStyle();
+    const auto ink = [&] {
+        const QImage picture =
+            painted([&](QPainter& painter) { paintReChart(painter, kArea, chart, style); });
+        EXPECT_EQ(inkIn(picture, picture.rect()), inkIn(picture, kArea.toRect())) << "all of it in its area";
+        return inkIn(picture, QRect(60, 60, 120, 140));
+    };
+    const int cut = ink();
+    chart.series[0].excluded = {false, false};
+    EXPECT_GT(cut, 3 * ink()) << "beside a value that counts the other one is small";
+}
+
+TEST(ReChart, ItsLegendWraps) {
+    BarChart chart;
+    chart.categories = {"a"};
+    chart.series = {{"a method with a long name", {1.0}, {}},
+                    {"another with a longer one", {1.0}, {}},
+                    {"a third", {1.0}, {}}};
+    const ChartStyle style = inkStyle();
+    const auto secondLine = [&](const QRectF& area) {
+        const QImage picture = painted([&](QPainter& painter) { paintReChart(painter, area, chart, style); });
+        EXPECT_EQ(inkIn(picture, picture.rect()), inkIn(picture, area.toRect()));
+        return inkIn(picture, QRect(static_cast<int>(area.left()) + 40, static_cast<int>(area.top()) + 14,
+                                    static_cast<int>(area.width()) - 40, 11));
+    };
+    EXPECT_GT(secondLine(QRectF(20, 10, 230, 240)), secondLine(QRectF(20, 10, 360, 240)) + 20);
 }
 
 }  // namespace vestige

@@ -229,6 +229,51 @@ TEST_F(CleanWindow, TheDepthEndsACutBehindTheNearestSurface) {
     EXPECT_NE(layer().cleaning->steps[0].parameters.find("0.4 m deep"), std::string::npos);
 }
 
+TEST_F(CleanWindow, WhatIsTakenWithoutBeingSeenIsCounted) {
+    start();
+    auto* behind = driver->window().findChild<QLabel*>("selected-behind");
+    driver->trigger("view.panel-clean");
+    boxRound(-1.15, -0.65, 1.15, 0.65);
+    EXPECT_FALSE(behind->isVisible()) << "from above the ground lies 0.8 m under the box";
+    // From the front the yard's wall stands behind the box.
+    driver->window().showNamedView(NamedView::front);
+    driver->trigger("tool.box-select");
+    drag({at(-1.1, 0, 0.9), at(0, 0, 0.5), at(1.1, 0, 0.05)});
+    ASSERT_TRUE(driver->settle());
+    ASSERT_TRUE(behind->isVisible());
+    const QString count = behind->text().section(" of them", 0, 0).simplified().remove(QRegExp("[^0-9]"));
+    EXPECT_GT(count.toULong(), 100U);
+    EXPECT_LT(count.toULong(), countSelected());
+    EXPECT_TRUE(driver->label("hint").contains("behind what is seen")) << driver->label("hint").toStdString();
+    setParameter("depth_m", "1.2");
+    drag({at(-1.1, 0, 0.9), at(0, 0, 0.5), at(1.1, 0, 0.05)});
+    ASSERT_TRUE(driver->settle());
+    EXPECT_GT(countSelected(), 100U);
+    EXPECT_FALSE(behind->isVisible());
+}
+
+TEST_F(CleanWindow, TheCoordinatesUnderTheCursorAreToldBetweenClicks) {
+    start();
+    const auto told = [&](const QPoint& place) {
+        QMouseEvent move(QEvent::MouseMove, place, view()->mapToGlobal(place), Qt::NoButton, Qt::NoButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(view(), &move);
+        QTest::qWait(120);
+        return driver->label("coordinates");
+    };
+    for (const char* tool : {"tool.lasso", "tool.box-select"}) {
+        driver->trigger("tool.orbit");
+        told({1, 1});
+        driver->trigger(tool);
+        EXPECT_TRUE(told(at(0, 0, 0.8)).contains("0.800"))
+            << tool << driver->label("coordinates").toStdString();
+        click(at(-1.15, -0.65));
+        EXPECT_FALSE(told(at(0, 0, 0.8)).isEmpty()) << "while an outline is drawn";
+        EXPECT_TRUE(told(at(2.5, -2.5)).contains("0.000")) << driver->label("coordinates").toStdString();
+        QTest::keyClick(view(), Qt::Key_Escape);
+    }
+}
+
 TEST_F(CleanWindow, ShiftAddsCtrlTakesAwayAndTheOutsideCanBeTaken) {
     start();
     boxRound(-1.15, -0.65, 0, 0.65);

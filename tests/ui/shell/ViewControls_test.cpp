@@ -148,6 +148,30 @@ TEST_F(Views, ASectionIsCutDraggedTypedAndReset) {
     EXPECT_EQ(*view().description().section, whole) << "as it was";
 }
 
+TEST_F(Views, TheInsideOfASectionCanBeCutAway) {
+    ASSERT_FALSE(action("view.section-invert").isChecked());
+    ASSERT_TRUE(driver->trigger("view.section-invert"));
+    ASSERT_TRUE(view().description().section) << "a box in the middle, so that something is left";
+    EXPECT_TRUE(view().description().section->inverted);
+    EXPECT_TRUE(action("view.section").isChecked());
+    EXPECT_TRUE(find<QWidget>("section-bar").isVisible());
+    find<QDoubleSpinBox>("section-turn").setValue(30);
+    EXPECT_TRUE(view().description().section->inverted) << "figures leave it as it is";
+    ASSERT_TRUE(driver->trigger("view.slab-z"));
+    EXPECT_TRUE(view().description().section->inverted);
+    const SectionBox kept = *view().description().section;
+    ASSERT_TRUE(driver->trigger("view.save"));
+    ASSERT_EQ(driver->scene().savedViews.size(), 1U);
+    EXPECT_EQ(driver->scene().savedViews[0].section, kept);
+    auto& check = find<QCheckBox>("section-inverted");
+    EXPECT_TRUE(check.isChecked());
+    check.click();
+    EXPECT_FALSE(view().description().section->inverted);
+    ASSERT_TRUE(driver->trigger("view.section"));
+    EXPECT_FALSE(view().description().section);
+    EXPECT_FALSE(action("view.section-invert").isChecked());
+}
+
 TEST_F(Views, SlabsStepByTheirThickness) {
     const std::pair<const char*, int> slabs[] = {{"view.slab-x", 0}, {"view.slab-y", 1}, {"view.slab-z", 2}};
     for (const auto& [id, axis] : slabs) {

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "tests/ui/view/Samples.h"
 #include "ui/view/LabelPlaces.h"
@@ -110,6 +111,59 @@ TEST(LabelPlaces, ALabelStandsBesideALineThatIsLongerThanIt) {
     EXPECT_FALSE(places[0]->leader);
     EXPECT_NEAR(places[0]->box.center().x(), 350, 1);
     EXPECT_LT(std::abs(places[0]->box.center().y() - 300), 40);
+}
+
+TEST(LabelPlaces, InSmallPicturesTheValueAloneStandsNearItsLine) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> x(20, 320);
+    std::uniform_real_distribution<double> y(20, 240);
+    std::uniform_real_distribution<double> way(-30, 30);
+    const QRectF picture(0, 0, 340, 260);
+    int brief = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        std::vector<LabelWish> wishes;
+        for (int i = 0; i < 12; ++i) {
+            const QPointF from(x(random), y(random));
+            wishes.push_back({QLineF(from, from + QPointF(way(random), way(random))),
+                              {130, 25},
+                              {230, 25},
+                              {50, 18},
+                              i == 0});
+        }
+        const QRectF legend(200, 10, 130, 40);
+        const auto places = placeLabels(wishes, picture, {legend});
+        EXPECT_TRUE(places[0]) << "the one that must be told";
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!places[i]) continue;
+            EXPECT_TRUE(picture.contains(places[i]->box));
+            brief += places[i]->brief;
+            EXPECT_EQ(places[i]->brief, places[i]->box.size() == QSizeF(50, 18));
+            if (places[i]->brief) {
+                EXPECT_FALSE(places[i]->leader);
+                EXPECT_LT(QLineF(places[i]->box.center(), wishes[i].line.center()).length(), 75);
+            }
+            EXPECT_TRUE(i == 0 || !places[i]->box.intersects(legend));
+            for (std::size_t j = 1; j < i; ++j)
+                EXPECT_FALSE(places[j] && places[i]->box.intersects(places[j]->box)) << trial;
+        }
+    }
+    EXPECT_GT(brief, 60 * 3);
+}
+
+TEST(LabelPlaces, ColumnsOfANarrowPictureDoNotLieOverEachOther) {
+    std::vector<LabelWish> wishes;
+    for (int i = 0; i < 16; ++i) {
+        const QPointF from(300 + 2 * i, 100 + 25 * i);
+        wishes.push_back({QLineF(from, from + QPointF(4, 3)), {130, 25}, {400, 25}, {50, 18}});
+    }
+    const auto places = placeLabels(wishes, {0, 0, 660, 600}, {});
+    int placed = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        placed += places[i].has_value();
+        for (std::size_t j = 0; j < i && places[i]; ++j)
+            EXPECT_FALSE(places[j] && places[i]->box.intersects(places[j]->box)) << i << ' ' << j;
+    }
+    EXPECT_GE(placed, 5);
 }
 
 TEST(LabelPlaces, WhatFindsNoRoomIsLeftOut) {

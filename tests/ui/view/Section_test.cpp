@@ -57,7 +57,51 @@ TEST(Section, CutsPointsAndMeshes) {
         view.section->heading_rad = 0.785398163;
         view.section->centre = kFar + Eigen::Vector3d(5, 5, 0);
         EXPECT_NEAR(brightSpot(drawn(view)).pixels, 0.25 * all, 0.02 * all) << mesh;
+        view.section->inverted = true;
+        EXPECT_NEAR(brightSpot(drawn(view)).pixels, 0.75 * all, 0.02 * all) << mesh;
+        EXPECT_EQ(brightSpot(drawn(view).copy(145, 145, 10, 10)).pixels, 0) << "the middle, " << mesh;
     }
+}
+
+TEST(HiddenPoints, ArePartsOfNoPicture) {
+    for (const bool mesh : {false, true}) {
+        ViewDescription view = plainView(mesh ? twoTriangles() : flatSquare(300), NamedView::top, 300, 300);
+        const int all = brightSpot(drawn(view)).pixels;
+        auto hidden = std::vector<std::uint8_t>(view.layers[0].geometry->vertices.size(), 0);
+        // Of the mesh the corner of one triangle, of the points one half.
+        if (mesh)
+            hidden[1] = 1;
+        else
+            std::fill(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(hidden.size() / 2), 1);
+        view.layers[0].hidden = std::make_shared<const std::vector<std::uint8_t>>(hidden);
+        EXPECT_NEAR(brightSpot(drawn(view)).pixels, 0.5 * all, 0.02 * all) << mesh;
+    }
+}
+
+TEST(HiddenPoints, ComeAndGoInOneView) {
+    QWidget window;
+    SceneView view(offscreenSurface(), &window);
+    window.resize(300, 300);
+    view.widget()->resize(300, 300);
+    window.show();
+    QApplication::processEvents();
+    ViewDescription described = plainView(twoTriangles(), NamedView::top, 300, 300);
+    const auto shown = [&] {
+        view.show(described);
+        view.completePicture();
+        return brightSpot(view.widget()->grab().toImage()).pixels;
+    };
+    const int all = shown();
+    described.layers[0].hidden =
+        std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 1, 0, 0});
+    EXPECT_NEAR(shown(), 0.5 * all, 0.03 * all);
+    described.layers[0].hidden = nullptr;
+    EXPECT_EQ(shown(), all);
+    described.section = quarterOfTheSquare();
+    described.section->inverted = true;
+    EXPECT_NEAR(shown(), 0.75 * all, 0.03 * all);
+    described.section->inverted = false;
+    EXPECT_NEAR(shown(), 0.25 * all, 0.03 * all);
 }
 
 TEST(Section, WhatIsCutAwayIsNotPicked) {
@@ -79,6 +123,11 @@ TEST(Section, WhatIsCutAwayIsNotPicked) {
     view.setSection(quarterOfTheSquare());
     EXPECT_FALSE(at(8, 8));
     EXPECT_TRUE(at(2, 2));
+    SectionBox rest = quarterOfTheSquare();
+    rest.inverted = true;
+    view.setSection(rest);
+    EXPECT_TRUE(at(8, 8));
+    EXPECT_FALSE(at(2, 2));
     view.setSection(std::nullopt);
     EXPECT_TRUE(at(8, 8));
 }

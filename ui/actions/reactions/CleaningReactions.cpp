@@ -137,6 +137,7 @@ void CleaningReactions::findOutliers() {
         [this, words = describe(bench_.cleaning.outliers)](Result<PointSelection::Sets> found) {
             if (!found) return bench_.notices.failed(found.error());
             bench_.points.setReach(std::nullopt);
+            bench_.points.setBehind(0);
             bench_.points.apply(*found, Mode::replace, {"outliers", words, 0});
             bench_.notices.inform(
                 tr("%1 outliers are selected; Delete takes them out.").arg(countText(bench_.points.size())));
@@ -154,6 +155,7 @@ void CleaningReactions::findGround() {
         [this, words = describe(bench_.cleaning.ground)](Result<PointSelection::Sets> found) {
             if (!found) return bench_.notices.failed(found.error());
             bench_.points.setReach(std::nullopt);
+            bench_.points.setBehind(0);
             bench_.points.apply(*found, Mode::replace, {"ground", words, 0});
             bench_.notices.inform(
                 tr("%1 points of the ground are selected.").arg(countText(bench_.points.size())));
@@ -237,6 +239,7 @@ void CleaningReactions::selectObject() {
         return bench_.notices.inform(
             tr("%1 is of points that are not loaded.").arg(QString::fromStdString(object->name)));
     bench_.points.setReach(std::nullopt);
+    bench_.points.setBehind(0);
     bench_.points.apply({{object->layer, *object->points}}, Mode::replace, {object->name, object->found, 0});
 }
 

@@ -14,8 +14,8 @@ std::string colorAction(ColorMode mode) {
 
 constexpr ColorMode kColorModes[] = {ColorMode::source, ColorMode::height, ColorMode::intensity,
                                      ColorMode::rgb, ColorMode::classification};
-constexpr NamedView kViews[] = {NamedView::perspective, NamedView::top, NamedView::front, NamedView::left,
-                                NamedView::iso};
+constexpr NamedView kViews[] = {NamedView::perspective, NamedView::top,  NamedView::front, NamedView::left,
+                                NamedView::iso,         NamedView::back, NamedView::right, NamedView::bottom};
 
 }  // namespace
 

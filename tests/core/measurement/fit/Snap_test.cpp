@@ -136,6 +136,46 @@ TEST(Snap, AnswersDoNotDependOnTheOrderOfAskingAndFollowTheFrame) {
     EXPECT_EQ(*first, *again);
 }
 
+TEST(Snap, HiddenAndCutAwayPointsAreAsIfTheyWereNotThere) {
+    // The same random numbers: the ground comes first, a wall on it after.
+    constexpr int kGround = 8000;
+    Cloud bare(23, kNoise);
+    bare.patch({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, kGround, kBeam);
+    Cloud built(23, kNoise);
+    built.patch({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, kGround, kBeam);
+    built.patch({0.1, -1, 0}, {0, 2, 0}, {0, 0, 0.8}, 6000, kBeam);
+    const auto ground = bare.octree();
+    const auto both = built.octree();
+    const auto wanted = snapFeature(request(*ground, {0, 0, 0}, kNoise), SnapMode::highest);
+    auto asked = request(*both, {0, 0, 0}, kNoise);
+    const auto withWall = snapFeature(asked, SnapMode::highest);
+    ASSERT_TRUE(wanted && withWall);
+    EXPECT_GT(withWall->position.z() - wanted->position.z(), 0.1) << "else the test says nothing";
+    // The radius comes from the spacing at the seed, which hiding does not change.
+    asked.radius_m = 0.3;
+    auto alone = request(*ground, {0, 0, 0}, kNoise);
+    alone.radius_m = 0.3;
+    std::vector<std::uint8_t> hidden(both->cloud().size(), 0);
+    std::fill(hidden.begin() + kGround, hidden.end(), 1);
+    asked.hidden = &hidden;
+    for (const SnapMode mode : {SnapMode::highest, SnapMode::plane, SnapMode::centroid}) {
+        const auto one = snapFeature(asked, mode);
+        const auto other = snapFeature(alone, mode);
+        ASSERT_TRUE(one && other);
+        EXPECT_NEAR((one->position - other->position).norm(), 0, 1e-9);
+    }
+    asked.hidden = nullptr;
+    // Of the wall only what is within the noise of the ground is left by a cut at 0.1 m.
+    asked.clips.planes = {{Eigen::Vector3d(0, 0, -1), 0.1}};
+    const auto cut = snapFeature(asked, SnapMode::highest);
+    ASSERT_TRUE(cut);
+    EXPECT_LT(cut->position.z(), 0.1 + 1e-9);
+    asked.clips = {{{Eigen::Vector3d(0, 0, 1), -0.1}}, true};
+    const auto inverted = snapFeature(asked, SnapMode::highest);
+    ASSERT_TRUE(inverted);
+    EXPECT_EQ(*inverted, *cut);
+}
+
 TEST(Snap, SaysWhyNothingIsFound) {
     Cloud cloud(19, kNoise);
     cloud.patch({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 8000, kBeam);
