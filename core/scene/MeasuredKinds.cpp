@@ -76,7 +76,7 @@ std::vector<MeasuredKind> measureKinds(const SceneState& scene, const std::vecto
         for (const std::string& method : methods) {
             const KindRepeats picked = kindRepeats(scene, measurement, method, false);
             all.push_back(measured(scene, measurement, method, picked));
-            if (!hasFitted(measurement)) continue;
+            if (!hasFitted(scene, measurement, method)) continue;
             const KindRepeats fitted = kindRepeats(scene, measurement, method, true);
             if (!fitted.measurement.repeats.empty())
                 all.push_back(measured(scene, measurement, method + " fitted", fitted));
