@@ -6,6 +6,7 @@
 
 #include "core/base/Random.h"
 #include "core/geometry/PointCloudBuilder.h"
+#include "core/scene/CloudKinds.h"
 #include "core/scene/MeasuredScene.h"
 #include "tests/core/scene/SampleScene.h"
 
@@ -143,6 +144,39 @@ TEST(MeasuredKinds, VolumeAndSectionLookAtTheLoadedCloud) {
     EXPECT_EQ(measured.kinds[1].series.size(), 1U);
     const MeasuredScene again = measureScene(scene);
     EXPECT_EQ(again.kinds[0].quantities.front().mean, measured.kinds[0].quantities.front().mean);
+}
+
+TEST(MeasuredKinds, CloudsAreAskedLaterWhereThatIsWanted) {
+    SceneState scene = twoLayers();
+    scene.layers[0].data = flatGround();
+    Measurement heap = object("Heap", MeasurementKind::volume);
+    heap.paths["aerial"] = {
+        {at("aerial", -1.5, -1, 0), at("aerial", 1, -1, 0), at("aerial", 1, 1, 0), at("aerial", -1, 1, 0)}};
+    Measurement box = object("Box", MeasurementKind::distance);
+    box.picks["aerial"] = {{at("aerial", 0, 0, 0), at("aerial", 1, 0, 0)}};
+    scene.measurements = {heap, box};
+    std::vector<KindRepeats> missing;
+    {
+        const CloudKindsLater later("being computed");
+        const MeasuredScene first = measureScene(scene);
+        EXPECT_TRUE(first.kinds[0].quantities.empty());
+        EXPECT_EQ(first.kinds[0].note, "being computed");
+        EXPECT_FALSE(first.kinds[1].quantities.empty()) << "what asks no cloud is found at once";
+        missing = later.missing();
+        ASSERT_EQ(missing.size(), 1U);
+    }
+    const JobControl stopped;
+    stopped.cancel();
+    const Status none = computeCloudKinds(scene, missing, stopped);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+    ASSERT_TRUE(computeCloudKinds(scene, missing, {}));
+    const CloudKindsLater later("being computed");
+    const MeasuredScene second = measureScene(scene);
+    EXPECT_TRUE(later.missing().empty());
+    ASSERT_FALSE(second.kinds[0].quantities.empty());
+    // 4.5 m2 of ground 0.4 m over the plane of the corners.
+    EXPECT_NEAR(second.kinds[0].quantities.front().mean, 0.4 * 4.5, 0.01);
 }
 
 TEST(MeasuredKinds, VolumeBetweenTwoScans) {
