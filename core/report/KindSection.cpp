@@ -67,6 +67,12 @@ Section kindSection(const ReportInput& input) {
                     Paragraph{kind.object + ", " + kind.method + ", with " + kind.parameters + "."});
             if (!kind.series.empty()) section.blocks.push_back(diagramOf(kind));
         }
+        if (spec.isPair()) continue;
+        for (const ReportPicture& picture : input.pictures) {
+            const Measurement* shown = input.scene.measurement(picture.subject);
+            if (picture.kind == ReportPicture::Kind::closeUp && shown && shown->kind == spec.kind)
+                section.blocks.push_back(Picture{picture.png, picture.caption, 0.5});
+        }
     }
     return section;
 }
