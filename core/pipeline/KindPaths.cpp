@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/measurement/kinds/KindSpec.h"
+#include "core/pipeline/KindStrokes.h"
 #include "core/report/QuantityText.h"
 #include "core/scene/KindRepeats.h"
 #include "core/scene/MeasuredScene.h"
@@ -23,11 +24,6 @@ std::pair<const PickedPath*, bool> lastPath(const SceneState& scene, const Measu
     return last;
 }
 
-bool isClosed(MeasurementKind kind) {
-    return kind == MeasurementKind::area || kind == MeasurementKind::volume ||
-           kind == MeasurementKind::circle;
-}
-
 }  // namespace
 
 std::vector<ViewPath> measurementPaths(const SceneState& scene, const MeasuredScene& measured,
@@ -39,15 +35,20 @@ std::vector<ViewPath> measurementPaths(const SceneState& scene, const MeasuredSc
         if (!measurement || kindSpec(kind.kind).isPair()) continue;
         const auto [picked, fitted] = lastPath(scene, *measurement, kind.method);
         if (!picked) continue;
-        ViewPath path;
+        const std::size_t first = paths.size();
+        std::vector<Eigen::Vector3d> picks;
         for (const PickedPoint& point : *picked)
-            if (scene.layer(point.layer)) path.points.push_back(kindEnd(scene, point, fitted).position);
-        // What is not computed yet, or cannot be, is seen all the same.
-        if (!kind.quantities.empty()) path.label = quantitySentence(kind.quantities.front());
-        path.closed = isClosed(kind.kind);
-        path.highlighted = kind.object == selected;
-        path.name = kind.object;
-        paths.push_back(std::move(path));
+            if (scene.layer(point.layer)) picks.push_back(kindEnd(scene, point, fitted).position);
+        for (KindStroke& stroke : strokesOf(kind.kind, measurement->settings, picks)) {
+            ViewPath path;
+            path.points = std::move(stroke.points);
+            path.closed = stroke.closed;
+            path.highlighted = kind.object == selected;
+            path.name = kind.object;
+            paths.push_back(std::move(path));
+        }
+        // What is not computed yet, or cannot be, is seen all the same. The label is of the first stroke.
+        if (!kind.quantities.empty()) paths[first].label = quantitySentence(kind.quantities.front());
     }
     return paths;
 }

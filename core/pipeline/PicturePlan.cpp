@@ -202,7 +202,7 @@ class Planner {
             const auto paths = measurementPaths(scene_, one, kind.method);
             if (paths.empty() || paths.front().points.size() < 2) continue;
             done.push_back(kind.object);
-            pathCloseUp(kind, paths.front(), done.size());
+            pathCloseUp(kind, paths, done.size());
         }
     }
 
@@ -212,23 +212,28 @@ class Planner {
         keepLayers(view, onlyTarget || !onPlacedLayers(scene_, layers) ? layers : placedLayers(scene_));
     }
 
-    void pathCloseUp(const MeasuredKind& kind, const ViewPath& path, std::size_t number) {
+    void pathCloseUp(const MeasuredKind& kind, const std::vector<ViewPath>& paths, std::size_t number) {
         ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
         keepMeasured(view, kind.layers);
-        const CloseUpSphere sphere = sphereRound(path.points);
-        double ceiling = path.points.front().z();
-        for (const Eigen::Vector3d& point : path.points) ceiling = std::max(ceiling, point.z());
+        std::vector<Eigen::Vector3d> points;
+        for (const ViewPath& path : paths)
+            points.insert(points.end(), path.points.begin(), path.points.end());
+        const CloseUpSphere sphere = sphereRound(points);
+        double ceiling = points.front().z();
+        for (const Eigen::Vector3d& point : points) ceiling = std::max(ceiling, point.z());
         ceiling += std::clamp(2 * sphere.radius_m, 0.5, 1.0);
         const bool leftOut = cropView(view, scene_, sphere.centre, 4 * sphere.radius_m, ceiling);
-        const Eigen::Vector3d direction = closeUpDirection(view, kind.layers, path.points);
+        const Eigen::Vector3d direction = closeUpDirection(view, kind.layers, points);
         view.camera = cameraAround(sphere.centre, sphere.radius_m, direction);
         if (view.layers.size() == 1 && direction.normalized().z() < -0.6) view.colorMode = ColorMode::height;
         view.pointSize_px = 3;
-        view.paths = {path};
-        view.paths.front().highlighted = true;
+        view.paths = paths;
+        for (ViewPath& path : view.paths) path.highlighted = true;
         add("figure-" + twoDigits(number) + "-" + slug(kind.object), ReportPicture::Kind::closeUp,
             kind.object,
-            say("%1, by %2: %3", {kind.object, say(kind.method), path.label}) + heightNote(leftOut),
+            say("%1, by %2: %3 %4",
+                {kind.object, say(kind.method), say(kind.quantities.front().label), paths.front().label}) +
+                heightNote(leftOut),
             std::move(view));
     }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/measurement/kinds/KindSpec.h"
+#include "core/pipeline/KindStrokes.h"
 #include "core/scene/PickFrame.h"
 #include "ui/document/ObjectNames.h"
 #include "ui/document/Selection.h"
@@ -53,12 +54,15 @@ void paintHandle(QPainter& painter, const ViewTheme& theme, const QPointF& at, b
 }
 
 void paintLine(QPainter& painter, const ViewTheme& theme, const ViewCamera& camera,
-               const std::vector<Eigen::Vector3d>& places) {
+               const KindStroke& stroke) {
+    const auto& places = stroke.points;
+    if (places.size() < 2) return;
+    const std::size_t last = stroke.closed && places.size() > 2 ? places.size() : places.size() - 1;
     for (const QPen& pen : {QPen(theme.casing, 2.4), QPen(theme.highlight, 1)}) {
         painter.setPen(pen);
-        for (std::size_t i = 1; i < places.size(); ++i) {
-            const auto a = seen(camera, places[i - 1]);
-            const auto b = seen(camera, places[i]);
+        for (std::size_t i = 0; i < last; ++i) {
+            const auto a = seen(camera, places[i]);
+            const auto b = seen(camera, places[(i + 1) % places.size()]);
             if (a && b) painter.drawLine(*a, *b);
         }
     }
@@ -129,6 +133,8 @@ std::optional<PickHandle> handleAt(const SceneState& scene, const Selection& sel
 void paintRepeats(QPainter& painter, const ViewTheme& theme, const ViewCamera& camera,
                   const SceneState& scene, const Selection& selection, const HandleLooks& looks) {
     std::vector<PlacedRepeat> repeats = shownRepeats(scene, selection);
+    const Measurement* object = scene.measurement(selection.object());
+    if (!object) return;
     const auto isActive = [&](const PlacedRepeat& repeat) {
         return looks.active && looks.active->place < repeat.places.size() &&
                *looks.active == repeat.handle(selection.object(), looks.active->place);
@@ -137,7 +143,8 @@ void paintRepeats(QPainter& painter, const ViewTheme& theme, const ViewCamera& c
         const bool changing = looks.proposed && repeat.ofPath && isActive(repeat);
         if (changing) repeat.places[looks.active->place] = *looks.proposed;
         if (repeats.size() < 2 && !changing) continue;
-        paintLine(painter, theme, camera, repeat.places);
+        for (const KindStroke& stroke : strokesOf(object->kind, object->settings, repeat.places))
+            paintLine(painter, theme, camera, stroke);
     }
     if (!looks.shown) return;
     for (const PlacedRepeat& repeat : repeats) {
