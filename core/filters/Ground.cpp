@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/CancelScope.h"
 #include "core/base/Numbers.h"
 #include "core/base/Parallel.h"
 
@@ -44,6 +45,7 @@ Box2 planOf(const UprightPoints& points) {
 
 void lowestPoints(const UprightPoints& points, GroundGrid& grid) {
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i % kGrain == 0) throwIfCancelled();
         const Eigen::Vector3f place = points[i];
         float& low = grid.heights[grid.index(place.x(), place.y())];
         if (!(low <= place.z())) low = place.z();
@@ -117,6 +119,7 @@ class NearSurface {
         : grid_(grid), planes_(planes), parts_(grid.size() * kParts * kParts), below_(grid.size()) {
         const float perPart = kParts / grid.cell();
         for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i % kGrain == 0) throwIfCancelled();
             const Eigen::Vector3f place = points[i];
             const std::size_t at = grid.index(place.x(), place.y());
             const Eigen::Vector2f aside = place.head<2>() - grid.centre(at);

@@ -59,13 +59,15 @@ std::size_t pointsSeen(std::span<const PickLayer> layers, const ViewCamera& came
 Eigen::Vector3d bestDirection(const ViewDescription& view, const std::vector<std::string>& ids,
                               const std::vector<Eigen::Vector3d>& candidates,
                               std::span<const Eigen::Vector3d> points, const CloseUpSphere& sphere) {
-    std::vector<Octree> octrees;
+    std::vector<std::shared_ptr<const Octree>> octrees;  // the layers point at them
     std::vector<PickLayer> layers;
-    octrees.reserve(view.layers.size());  // the layers point at them
     for (const ViewLayer& shown : view.layers) {
         if (std::find(ids.begin(), ids.end(), shown.id) == ids.end()) continue;
-        octrees.emplace_back(std::shared_ptr<const PointCloud>(shown.geometry, &shown.geometry->vertices));
-        layers.push_back({static_cast<std::uint32_t>(layers.size()), &octrees.back(), shown.worldFromLayer});
+        const std::shared_ptr<const PointCloud> cloud(shown.geometry, &shown.geometry->vertices);
+        const bool usable = shown.octree && &shown.octree->cloud() == cloud.get();
+        octrees.push_back(usable ? shown.octree : std::make_shared<const Octree>(cloud));
+        layers.push_back(
+            {static_cast<std::uint32_t>(layers.size()), octrees.back().get(), shown.worldFromLayer});
     }
     Eigen::Vector3d best = candidates.front();
     std::size_t most = 0;
@@ -100,6 +102,9 @@ bool cropView(ViewDescription& view, const SceneState& scene, const Eigen::Vecto
                 kept.push_back(neighbour.point);
         leftOut = leftOut || kept.size() < found.size();
         shown.geometry = std::make_shared<const TriangleMesh>(TriangleMesh{cloud.select(kept), {}});
+        // Here, not where it is drawn: that is the thread of the window.
+        shown.octree = std::make_shared<const Octree>(
+            std::shared_ptr<const PointCloud>(shown.geometry, &shown.geometry->vertices));
         shown.residual_m = nullptr;
     }
     std::erase_if(view.layers, [](const ViewLayer& layer) { return layer.geometry->vertices.empty(); });

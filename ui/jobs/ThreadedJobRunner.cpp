@@ -1,9 +1,9 @@
 #include "ui/jobs/ThreadedJobRunner.h"
 
+#include <QThread>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <thread>
 
 #include "core/base/CancelScope.h"
 #include "ui/watch/WatchedTime.h"
@@ -21,11 +21,11 @@ struct ThreadedJobRunner::Private {
     JobControl running;
     int undelivered = 0;  ///< jobs started and not yet delivered; GUI thread only
     bool stop = false;
-    std::thread worker;
+    std::unique_ptr<QThread> worker;  ///< not a bare one: fonts, which pages are set in, are kept by QThreads
 };
 
 ThreadedJobRunner::ThreadedJobRunner(QObject* parent) : JobRunner(parent), d_(std::make_unique<Private>()) {
-    d_->worker = std::thread([this] {
+    d_->worker.reset(QThread::create([this] {
         while (true) {
             Private::Waiting next;
             {
@@ -55,7 +55,8 @@ ThreadedJobRunner::ThreadedJobRunner(QObject* parent) : JobRunner(parent), d_(st
                 },
                 Qt::QueuedConnection);
         }
-    });
+    }));
+    d_->worker->start();
 }
 
 ThreadedJobRunner::~ThreadedJobRunner() {
@@ -65,7 +66,7 @@ ThreadedJobRunner::~ThreadedJobRunner() {
         d_->running.cancel();
     }
     d_->wake.notify_all();
-    d_->worker.join();
+    d_->worker->wait();
 }
 
 bool ThreadedJobRunner::busy() const {

@@ -116,7 +116,7 @@ void orbit(test::WindowDriver& driver, int frames) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: bench_window CASE [cancel]\n");
+        std::fprintf(stderr, "usage: bench_window CASE [cancel|ACTION]\n");
         return 2;
     }
     const test::TemporaryFolder folder;
@@ -142,14 +142,20 @@ int main(int argc, char** argv) {
     bench.step("open the case", [&] { window.openCase(file); });
     driver.answers().folder = QString::fromStdString((folder / "report").string());
     const auto cancelAll = [&] {
-        for (const char* id : {"file.verify", "register.run", "register.auto", "export.report"})
+        for (const char* id :
+             {"file.verify", "register.run", "register.auto", "register.residual", "clean.outliers",
+              "clean.ground", "clean.objects", "export.csv", "export.report"})
             for (const int after_ms : {100, 1000, 5000}) bench.cancelled(id, after_ms);
     };
     if (part == "cancel") return cancelAll(), 0;
+    if (!part.empty()) return bench.act(part.c_str()), 0;
     driver.answers().casePath = QString::fromStdString((folder / "night.vestige").string());
     bench.act("file.save-as");
     orbit(driver, 60);
     bench.step("complete again", [] {});
+    bench.act("view.four");
+    orbit(driver, 60);
+    bench.act("view.four");
     bench.act("register.run");
     bench.act("measure.aims");
     for (const char* id :
@@ -163,6 +169,8 @@ int main(int argc, char** argv) {
     bench.act("file.verify");
     driver.answers().csv = QString::fromStdString((folder / "table.csv").string());
     bench.act("export.csv");
+    for (const char* id : {"clean.outliers", "clean.clear", "clean.ground", "clean.clear", "clean.objects"})
+        bench.act(id);
     bench.act("export.report");
     cancelAll();
     std::printf("\nlongest of all without drawing calls: %.0f ms, of the processor %.0f ms\n",
