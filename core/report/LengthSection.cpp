@@ -68,6 +68,15 @@ Section lengthSection(const ReportInput& input) {
             "which nothing was fitted counts as the point it is; the notes name these. Both ways are given, "
             "so "
             "that either can be checked against the other."});
+    if (std::any_of(input.measured.lengths.begin(), input.measured.lengths.end(),
+                    [&](const MeasuredLength& length) {
+                        const Measurement* measurement = input.scene.measurement(length.object);
+                        return measurement && measurement->kind != MeasurementKind::distance;
+                    }))
+        section.blocks.push_back(Paragraph{
+            "Of an object that is no straight distance the row gives the main figure of its kind, such as "
+            "the "
+            "length along a mark or a radius; all its figures stand under \u201cOther figures\u201d."});
     section.blocks.push_back(std::move(table));
     if (excluded)
         section.blocks.push_back(Paragraph{

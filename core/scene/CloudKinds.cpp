@@ -12,7 +12,7 @@ thread_local CloudKindsLater* innermost = nullptr;
 
 }  // namespace
 
-CloudKindsLater::CloudKindsLater(std::string note) : note_(std::move(note)), outer_(innermost) {
+CloudKindsLater::CloudKindsLater(bool givenUp) : givenUp_(givenUp), outer_(innermost) {
     innermost = this;
 }
 
@@ -26,7 +26,10 @@ CloudKindsLater* CloudKindsLater::current() {
 
 KindOutcome CloudKindsLater::leave(KindRepeats repeats) {
     missing_.push_back(std::move(repeats));
-    return {{}, {}, {note_}};
+    return {{},
+            {},
+            {givenUp_ ? "not computed; the next change of the case takes it up"
+                      : "being computed from the cloud"}};
 }
 
 Status computeCloudKinds(const SceneState& scene, const std::vector<KindRepeats>& missing,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/base/JobControl.h"
@@ -10,11 +9,12 @@
 namespace vestige {
 
 /// While one of these lives, what this thread measures asks no clouds: figures of kinds that look at them
-/// (cross-sections, volumes) are taken where they are remembered, and else left to computeCloudKinds, with
-/// `note` in their place. Of scopes within each other the innermost counts.
+/// (cross-sections, volumes) are taken where they are remembered, and else left to computeCloudKinds, with a
+/// note in their place that tells of it. Of scopes within each other the innermost counts.
 class CloudKindsLater {
   public:
-    explicit CloudKindsLater(std::string note);
+    /// `givenUp`: nobody computes them for now, and the note says so.
+    explicit CloudKindsLater(bool givenUp = false);
     ~CloudKindsLater();
     CloudKindsLater(const CloudKindsLater&) = delete;
     CloudKindsLater& operator=(const CloudKindsLater&) = delete;
@@ -27,7 +27,7 @@ class CloudKindsLater {
     KindOutcome leave(KindRepeats repeats);
 
   private:
-    std::string note_;
+    bool givenUp_;
     std::vector<KindRepeats> missing_;
     CloudKindsLater* outer_;
 };

@@ -45,8 +45,7 @@ void Document::measure() {
         measured_ = measureScene(scene_.state());
         return;
     }
-    const CloudKindsLater later(cloudsGivenUp_ ? "not computed; the next change of the case takes it up"
-                                               : "being computed from the cloud");
+    const CloudKindsLater later(cloudsGivenUp_);
     measured_ = measureScene(scene_.state());
     uncomputed_ = later.missing();
 }

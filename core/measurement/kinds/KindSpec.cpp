@@ -191,11 +191,13 @@ std::string pickAdvice(const KindSpec& spec, const std::map<std::string, double>
     if (spec.kind != Kind::crush) return {};
     const auto outline = settings.find("outline_points");
     if (outline == settings.end() || outline->second == 0)
-        return "The depths count from the straight line between the two undamaged ends. For a bulged side "
-               "trace "
-               "the undamaged one last, and set below the table how many points that were.";
+        return "Depths count from the straight line between the undamaged ends. For a bulged side trace the "
+               "whole "
+               "outline last, and set in the panel how many points it has.";
     return "The last " + std::to_string(static_cast<int>(outline->second)) +
-           " points trace the undamaged outline, from end to end, on this vehicle or on a scan of another.";
+           " points trace the undamaged outline, from its first end to the second, here or on a scan of "
+           "another "
+           "vehicle.";
 }
 
 const std::vector<KindSpec>& kindTable() {
