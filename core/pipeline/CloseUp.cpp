@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <span>
 
 #include "core/base/Units.h"
 #include "core/geometry/Picking.h"
@@ -22,34 +24,62 @@ std::vector<Eigen::Vector3d> aimedDirections(const SceneState& scene, const Meas
     return directions;
 }
 
-/// Slanting down by 25 and 50 degrees from all sides, the sides square to the pair first.
-std::vector<Eigen::Vector3d> ring(const ViewMark& mark) {
+/// Slanting down by the given angles from all sides, the sides square to `along` first.
+std::vector<Eigen::Vector3d> ring(const Eigen::Vector3d& along, std::initializer_list<double> downs_deg) {
     std::vector<Eigen::Vector3d> directions;
-    for (const double down : {25.0, 50.0, 85.0})
+    for (const double down : downs_deg)
         for (int k = 0; k < 12; ++k) {
             const double azimuth = radians(30.0 * k);
             directions.emplace_back(std::cos(azimuth) * std::cos(radians(down)),
                                     std::sin(azimuth) * std::cos(radians(down)), -std::sin(radians(down)));
         }
-    const Eigen::Vector3d along = (mark.b - mark.a).normalized();
+    const Eigen::Vector3d unit = along.normalized();
     std::stable_sort(directions.begin(), directions.end(),
                      [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-                         return std::abs(a.dot(along)) < std::abs(b.dot(along)) - 1e-9;
+                         return std::abs(a.dot(unit)) < std::abs(b.dot(unit)) - 1e-9;
                      });
     return directions;
 }
 
-int endsSeen(std::span<const PickLayer> layers, const ViewCamera& camera, const ViewMark& mark) {
-    int seen = 0;
-    for (const Eigen::Vector3d& end : {mark.a, mark.b}) {
-        const auto pixel = camera.project(end);
+std::size_t pointsSeen(std::span<const PickLayer> layers, const ViewCamera& camera,
+                       std::span<const Eigen::Vector3d> points) {
+    std::size_t seen = 0;
+    for (const Eigen::Vector3d& point : points) {
+        const auto pixel = camera.project(point);
         const auto pick = pixel ? pickPoint(layers, camera, pixel->pixel) : std::nullopt;
         if (!pick) continue;
         // As far off as the picking itself may be, and the scatter of the repeats.
         const double tolerance = 10 * camera.metresPerPixel(pixel->depth_m) + 3 * pick->localSpacing_m;
-        if ((pick->world - end).norm() <= tolerance) ++seen;
+        if ((pick->world - point).norm() <= tolerance) ++seen;
     }
     return seen;
+}
+
+/// The first of the directions from which picking in the named layers finds most of the points.
+Eigen::Vector3d bestDirection(const ViewDescription& view, const std::vector<std::string>& ids,
+                              const std::vector<Eigen::Vector3d>& candidates,
+                              std::span<const Eigen::Vector3d> points, const CloseUpSphere& sphere) {
+    std::vector<std::shared_ptr<const Octree>> octrees;  // the layers point at them
+    std::vector<PickLayer> layers;
+    for (const ViewLayer& shown : view.layers) {
+        if (std::find(ids.begin(), ids.end(), shown.id) == ids.end()) continue;
+        const std::shared_ptr<const PointCloud> cloud(shown.geometry, &shown.geometry->vertices);
+        const bool usable = shown.octree && &shown.octree->cloud() == cloud.get();
+        octrees.push_back(usable ? shown.octree : std::make_shared<const Octree>(cloud));
+        layers.push_back(
+            {static_cast<std::uint32_t>(layers.size()), octrees.back().get(), shown.worldFromLayer});
+    }
+    Eigen::Vector3d best = candidates.front();
+    std::size_t most = 0;
+    for (const Eigen::Vector3d& direction : candidates) {
+        const ViewCamera camera = cameraAround(sphere.centre, sphere.radius_m, direction);
+        const std::size_t seen = pointsSeen(layers, camera, points);
+        if (seen <= most) continue;
+        best = direction;
+        most = seen;
+        if (most == points.size()) break;
+    }
+    return best;
 }
 
 }  // namespace
@@ -92,31 +122,42 @@ ViewCamera cameraAround(const Eigen::Vector3d& centre, double radius_m, const Ei
 
 Eigen::Vector3d closeUpDirection(const ViewDescription& view, const SceneState& scene,
                                  const MeasuredLength& length, const ViewMark& mark) {
-    std::vector<std::shared_ptr<const Octree>> octrees;  // the layers point at them
-    std::vector<PickLayer> layers;
-    for (const ViewLayer& shown : view.layers) {
-        if (std::find(length.layers.begin(), length.layers.end(), shown.id) == length.layers.end()) continue;
-        const std::shared_ptr<const PointCloud> cloud(shown.geometry, &shown.geometry->vertices);
-        const bool usable = shown.octree && &shown.octree->cloud() == cloud.get();
-        octrees.push_back(usable ? shown.octree : std::make_shared<const Octree>(cloud));
-        layers.push_back(
-            {static_cast<std::uint32_t>(layers.size()), octrees.back().get(), shown.worldFromLayer});
-    }
     auto candidates = aimedDirections(scene, length);
-    const auto others = ring(mark);
+    const auto others = ring(mark.b - mark.a, {25.0, 50.0, 85.0});
     candidates.insert(candidates.end(), others.begin(), others.end());
-    const Eigen::Vector3d middle = 0.5 * (mark.a + mark.b);
-    const double radius = 0.6 * (mark.b - mark.a).norm() + 0.05;
-    Eigen::Vector3d best = candidates.front();
-    int most = 0;
-    for (const Eigen::Vector3d& direction : candidates) {
-        const int seen = endsSeen(layers, cameraAround(middle, radius, direction), mark);
-        if (seen <= most) continue;
-        best = direction;
-        most = seen;
-        if (most == 2) break;
+    const CloseUpSphere sphere{0.5 * (mark.a + mark.b), 0.6 * (mark.b - mark.a).norm() + 0.05};
+    const Eigen::Vector3d ends[] = {mark.a, mark.b};
+    return bestDirection(view, length.layers, candidates, ends, sphere);
+}
+
+CloseUpSphere sphereRound(const std::vector<Eigen::Vector3d>& points) {
+    BoundingBox box;
+    for (const Eigen::Vector3d& point : points) box.add(point);
+    CloseUpSphere sphere{box.centre(), 0};
+    for (const Eigen::Vector3d& point : points)
+        sphere.radius_m = std::max(sphere.radius_m, (point - sphere.centre).norm());
+    sphere.radius_m = 1.3 * sphere.radius_m + 0.05;
+    return sphere;
+}
+
+Eigen::Vector3d closeUpDirection(const ViewDescription& view, const std::vector<std::string>& layers,
+                                 const std::vector<Eigen::Vector3d>& points) {
+    constexpr std::size_t kAsked = 12;
+    constexpr double kLevel = 0.2;
+    const CloseUpSphere sphere = sphereRound(points);
+    Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    double lowest = points.front().z(), highest = lowest;
+    for (const Eigen::Vector3d& point : points) {
+        if ((point - points.front()).norm() > along.norm()) along = point - points.front();
+        lowest = std::min(lowest, point.z());
+        highest = std::max(highest, point.z());
     }
-    return best;
+    const bool level = highest - lowest < kLevel * sphere.radius_m;
+    std::vector<Eigen::Vector3d> asked;
+    for (std::size_t i = 0; i < points.size(); i += points.size() / kAsked + 1) asked.push_back(points[i]);
+    if (!(along.norm() > 0)) along = Eigen::Vector3d::UnitX();
+    const auto candidates = level ? ring(along, {50.0, 85.0, 25.0}) : ring(along, {25.0, 50.0, 85.0});
+    return bestDirection(view, layers, candidates, asked, sphere);
 }
 
 }  // namespace vestige

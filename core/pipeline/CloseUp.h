@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/pipeline/ViewRenderer.h"
@@ -22,5 +23,17 @@ ViewCamera cameraAround(const Eigen::Vector3d& centre, double radius_m, const Ei
 /// finds both ends unhidden; else one that shows one end.
 Eigen::Vector3d closeUpDirection(const ViewDescription& view, const SceneState& scene,
                                  const MeasuredLength& length, const ViewMark& mark);
+
+/// The same for a path through `points` (world) on the named layers: from which most of its points are seen.
+/// Paths on the ground are looked at from higher up, where they are less foreshortened.
+Eigen::Vector3d closeUpDirection(const ViewDescription& view, const std::vector<std::string>& layers,
+                                 const std::vector<Eigen::Vector3d>& points);
+
+/// The sphere that holds a path whole with room round it; world, metres.
+struct CloseUpSphere {
+    Eigen::Vector3d centre;
+    double radius_m = 0;
+};
+CloseUpSphere sphereRound(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace vestige

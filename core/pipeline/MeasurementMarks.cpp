@@ -1,6 +1,7 @@
 #include "core/pipeline/MeasurementMarks.h"
 
 #include "core/measurement/MeasuredText.h"
+#include "core/measurement/kinds/KindSpec.h"
 #include "core/pipeline/DescribeView.h"
 #include "core/scene/PickFrame.h"
 
@@ -21,6 +22,8 @@ std::string methodOf(const SceneState& scene, const std::string& key, const Pick
 std::optional<ViewMark> measurementMark(const SceneState& scene, const MeasuredLength& length) {
     const Measurement* measurement = scene.measurement(length.object);
     if (!measurement || !length.length) return std::nullopt;
+    // What is picked as a path is drawn as one.
+    if (length.fitted && !kindSpec(measurement->kind).isPair()) return std::nullopt;
     if (length.fitted)
         return ViewMark{length.a, length.b,
                         measuredSentence(length.length->mean_m, length.length->expandedUncertainty_m), false,

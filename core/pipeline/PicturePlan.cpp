@@ -76,9 +76,9 @@ std::vector<std::string> placedLayers(const SceneState& scene) {
     return ids;
 }
 
-bool onPlacedLayers(const SceneState& scene, const MeasuredLength& length) {
+bool onPlacedLayers(const SceneState& scene, const std::vector<std::string>& layers) {
     const auto placed = placedLayers(scene);
-    return std::all_of(length.layers.begin(), length.layers.end(), [&](const std::string& id) {
+    return std::all_of(layers.begin(), layers.end(), [&](const std::string& id) {
         return std::find(placed.begin(), placed.end(), id) != placed.end();
     });
 }
@@ -133,7 +133,7 @@ class Planner {
         double ceiling = -std::numeric_limits<double>::infinity();
         for (const MeasuredLength& length : measured_.lengths) {
             const auto mark = measurementMark(scene_, length);
-            if (!mark || !onPlacedLayers(scene_, length)) continue;
+            if (!mark || !onPlacedLayers(scene_, length.layers)) continue;
             box.add(mark->a);
             box.add(mark->b);
             ceiling = std::max(ceiling, top(*mark) + clearance(*mark));
@@ -161,12 +161,8 @@ class Planner {
 
     std::vector<ViewPath> placedPaths() const {
         MeasuredScene placed;
-        const auto ids = placedLayers(scene_);
         for (const MeasuredKind& kind : measured_.kinds)
-            if (std::all_of(kind.layers.begin(), kind.layers.end(), [&](const std::string& id) {
-                    return std::find(ids.begin(), ids.end(), id) != ids.end();
-                }))
-                placed.kinds.push_back(kind);
+            if (onPlacedLayers(scene_, kind.layers)) placed.kinds.push_back(kind);
         return measurementPaths(scene_, placed);
     }
 
@@ -198,17 +194,53 @@ class Planner {
             done.push_back(length.object);
             closeUp(length, *mark, done.size());
         }
+        for (const MeasuredKind& kind : measured_.kinds) {
+            if (kind.quantities.empty() || std::find(done.begin(), done.end(), kind.object) != done.end())
+                continue;
+            MeasuredScene one;
+            one.kinds = {kind};
+            const auto paths = measurementPaths(scene_, one, kind.method);
+            if (paths.empty() || paths.front().points.size() < 2) continue;
+            done.push_back(kind.object);
+            pathCloseUp(kind, paths, done.size());
+        }
+    }
+
+    /// The layers measured in, and what is registered with them.
+    void keepMeasured(ViewDescription& view, const std::vector<std::string>& layers) const {
+        const bool onlyTarget = layers.size() == 1 && layers.front() == scene_.target;
+        keepLayers(view, onlyTarget || !onPlacedLayers(scene_, layers) ? layers : placedLayers(scene_));
+    }
+
+    void pathCloseUp(const MeasuredKind& kind, const std::vector<ViewPath>& paths, std::size_t number) {
+        ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
+        keepMeasured(view, kind.layers);
+        std::vector<Eigen::Vector3d> points;
+        for (const ViewPath& path : paths)
+            points.insert(points.end(), path.points.begin(), path.points.end());
+        const CloseUpSphere sphere = sphereRound(points);
+        double ceiling = points.front().z();
+        for (const Eigen::Vector3d& point : points) ceiling = std::max(ceiling, point.z());
+        ceiling += std::clamp(2 * sphere.radius_m, 0.5, 1.0);
+        const bool leftOut = cropView(view, scene_, sphere.centre, 4 * sphere.radius_m, ceiling);
+        const Eigen::Vector3d direction = closeUpDirection(view, kind.layers, points);
+        view.camera = cameraAround(sphere.centre, sphere.radius_m, direction);
+        if (view.layers.size() == 1 && direction.normalized().z() < -0.6) view.colorMode = ColorMode::height;
+        view.pointSize_px = 3;
+        view.paths = paths;
+        for (ViewPath& path : view.paths) path.highlighted = true;
+        add("figure-" + twoDigits(number) + "-" + slug(kind.object), ReportPicture::Kind::closeUp,
+            kind.object,
+            say("%1, by %2: %3 %4",
+                {kind.object, say(kind.method), say(kind.quantities.front().label), paths.front().label}) +
+                heightNote(leftOut),
+            std::move(view));
     }
 
     void closeUp(const MeasuredLength& length, const ViewMark& mark, std::size_t number) {
         const bool onlyTarget = length.layers.size() == 1 && length.layers.front() == scene_.target;
         ViewDescription view = describeView(scene_, ColorMode::source, Overlay::none);
-        if (onlyTarget)
-            keepLayers(view, length.layers);
-        else if (onPlacedLayers(scene_, length))
-            keepLayers(view, placedLayers(scene_));
-        else
-            keepLayers(view, length.layers);
+        keepMeasured(view, length.layers);
         const Eigen::Vector3d middle = 0.5 * (mark.a + mark.b);
         const double radius = 0.75 * (mark.b - mark.a).norm() + 0.05;
         const bool leftOut = cropView(view, scene_, middle, 4 * radius, top(mark) + clearance(mark));

@@ -14,9 +14,16 @@ bool isTold(const MeasuredKind& kind, MeasurementKind wanted) {
     return kind.kind == wanted && wanted != MeasurementKind::distance && !kind.quantities.empty();
 }
 
+bool isNothing(const ParameterValue& value) {
+    if (const auto* real = std::get_if<double>(&value)) return *real == 0;
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole == 0;
+    if (const auto* on = std::get_if<bool>(&value)) return !*on;
+    return std::holds_alternative<std::monostate>(value);
+}
+
 Table tableOf(const MeasuredScene& measured, const KindSpec& spec) {
     Table table;
-    table.caption = spec.label;
+    table.caption = spec.label + ": " + spec.meaning;
     table.columns = {"Object", "Method",        "Figure",    "Mean",  "n",
                      "U 95 %", "95 % interval", "Reference", "RE (%)"};
     table.numeric = {false, false, false, true, true, true, true, true, true};
@@ -32,6 +39,33 @@ Table tableOf(const MeasuredScene& measured, const KindSpec& spec) {
                  each.expandedUncertainty ? "\u00b1" + uncertainty : uncertainty, quantityIntervalText(each),
                  orDash(each.reference ? std::optional(exactText(*each.reference)) : std::nullopt),
                  each.relativeError ? signedPercent(*each.relativeError) : "\u2013"});
+        }
+    }
+    return table;
+}
+
+/// What the figures were found with. Not told is what nothing was given for.
+Table parameterTable(const ReportInput& input, const KindSpec& spec) {
+    Table table;
+    table.caption = "Found with";
+    table.columns = {"Object", "Parameter", "Value"};
+    table.numeric = {false, false, true};
+    for (const Measurement& measurement : input.scene.measurements) {
+        const auto settings = kindSettings(measurement.kind, measurement.settings);
+        const bool told = std::any_of(input.measured.kinds.begin(), input.measured.kinds.end(),
+                                      [&](const MeasuredKind& kind) {
+                                          return kind.object == measurement.object && isTold(kind, spec.kind);
+                                      });
+        if (!told || measurement.kind != spec.kind || !settings) continue;
+        bool first = true;
+        const auto known = [&](const char* key) {
+            return settings->find(key) && !isNothing(settings->value(key));
+        };
+        for (const ParameterSpec& each : settings->table()) {
+            if (each.key.starts_with("reference") || isNothing(settings->value(each.key))) continue;
+            if (each.key == "drag_factor_range" && !known("drag_factor")) continue;
+            table.rows.push_back({first ? measurement.object : "", each.label, settings->display(each.key)});
+            first = false;
         }
     }
     return table;
@@ -58,14 +92,18 @@ Section kindSection(const ReportInput& input) {
         if (std::none_of(kinds.begin(), kinds.end(),
                          [&](const MeasuredKind& kind) { return isTold(kind, spec.kind); }))
             continue;
-        section.blocks.push_back(Paragraph{spec.label + ": " + spec.meaning});
         section.blocks.push_back(tableOf(input.measured, spec));
+        if (Table table = parameterTable(input, spec); !table.rows.empty())
+            section.blocks.push_back(std::move(table));
         for (const MeasuredKind& kind : kinds) {
             if (!isTold(kind, spec.kind)) continue;
-            if (!kind.parameters.empty())
-                section.blocks.push_back(
-                    Paragraph{kind.object + ", " + kind.method + ", with " + kind.parameters + "."});
             if (!kind.series.empty()) section.blocks.push_back(diagramOf(kind));
+        }
+        if (spec.isPair()) continue;
+        for (const ReportPicture& picture : input.pictures) {
+            const Measurement* shown = input.scene.measurement(picture.subject);
+            if (picture.kind == ReportPicture::Kind::closeUp && shown && shown->kind == spec.kind)
+                section.blocks.push_back(Picture{picture.png, picture.caption, 0.5});
         }
     }
     return section;

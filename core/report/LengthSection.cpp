@@ -2,6 +2,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/measurement/MeasuredText.h"
+#include "core/measurement/kinds/KindSpec.h"
 #include "core/report/CaseReport.h"
 #include "core/report/Wording.h"
 
@@ -23,6 +24,12 @@ std::vector<std::string> row(const MeasuredLength& length) {
             orDash(sd ? std::optional(fixedText(*sd, measuredDecimals(u))) : std::nullopt),
             mean.uncertainty.empty() ? "\u2013" : "\u00b1" + mean.uncertainty,
             length.re ? signedPercent(*length.re) + (length.excluded ? " *" : "") : "\u2013"};
+}
+
+/// Those stand beside their figures.
+bool isOfPath(const ReportInput& input, const ReportPicture& picture) {
+    const Measurement* measurement = input.scene.measurement(picture.subject);
+    return measurement && !kindSpec(measurement->kind).isPair();
 }
 
 }  // namespace
@@ -61,13 +68,22 @@ Section lengthSection(const ReportInput& input) {
             "which nothing was fitted counts as the point it is; the notes name these. Both ways are given, "
             "so "
             "that either can be checked against the other."});
+    if (std::any_of(input.measured.lengths.begin(), input.measured.lengths.end(),
+                    [&](const MeasuredLength& length) {
+                        const Measurement* measurement = input.scene.measurement(length.object);
+                        return measurement && measurement->kind != MeasurementKind::distance;
+                    }))
+        section.blocks.push_back(Paragraph{
+            "Of an object that is no straight distance the row gives the main figure of its kind, such as "
+            "the "
+            "length along a mark or a radius; all its figures stand under \u201cOther figures\u201d."});
     section.blocks.push_back(std::move(table));
     if (excluded)
         section.blocks.push_back(Paragraph{
             "* Set off in the table: excluded from the RMSE, because the relative error lies beyond "
             "twice the standard deviation."});
     for (const auto& picture : input.pictures)
-        if (picture.kind == ReportPicture::Kind::closeUp)
+        if (picture.kind == ReportPicture::Kind::closeUp && !isOfPath(input, picture))
             section.blocks.push_back(Picture{picture.png, picture.caption, 0.5});
     return section;
 }

@@ -24,6 +24,10 @@ std::unique_ptr<SceneEdit> setKindSetting(std::string object, std::string key, s
 /// One repetition more, of at most kMostPathPoints points, under `layer` (the key of the paths).
 std::unique_ptr<SceneEdit> addPath(std::string object, std::string layer, PickedPath path);
 std::unique_ptr<SceneEdit> removePath(std::string object, std::string layer, std::size_t repeat);
+/// Puts `point` in the place of one point of a path. Changes nothing when there is no such point, or it is
+/// the same already; in edits/MovePathPoint.cpp.
+std::unique_ptr<SceneEdit> movePathPoint(std::string object, std::string layer, std::size_t repeat,
+                                         std::size_t place, PickedPoint point);
 /// Makes the object a known distance that checks the survey, or an object like the others; metres above 0.
 std::unique_ptr<SceneEdit> setCheck(std::string object, std::optional<double> tolerance_m);
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <mutex>
 
+#include "core/scene/CloudKinds.h"
 #include "core/scene/CloudNear.h"
 #include "core/scene/MeasuredScene.h"
 #include "core/scene/PickFrame.h"
@@ -12,7 +13,7 @@
 namespace vestige {
 namespace {
 
-constexpr std::size_t kRemembered = 64;
+constexpr std::size_t kRemembered = 256;
 
 double marginOf(MeasurementKind kind, const std::map<std::string, double>& settings) {
     const auto found = settings.find("half_width_m");
@@ -134,6 +135,7 @@ KindOutcome outcomeOf(const SceneState& scene, KindRepeats repeats) {
         for (const auto& [each, outcome] : remembered)
             if (each == key) return outcome;
     }
+    if (CloudKindsLater* later = CloudKindsLater::current()) return later->leave(std::move(repeats));
     addClouds(scene, repeats);
     KindOutcome outcome = kindStatistics(repeats.measurement);
     const std::lock_guard lock(mutex);

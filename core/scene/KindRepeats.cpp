@@ -144,14 +144,17 @@ KindEnd kindEnd(const SceneState& scene, const PickedPoint& point, bool fitted) 
     return end;
 }
 
-bool hasFitted(const Measurement& measurement) {
+bool hasFitted(const SceneState& scene, const Measurement& measurement, const std::string& method) {
     for (const auto& [key, pairs] : measurement.picks)
         for (const PickedPair& pair : pairs)
-            if (pair.a.fitted || pair.b.fitted) return true;
+            if ((pair.a.fitted || pair.b.fitted) && methodOfRepeat(scene, key, pair.a) == method) return true;
+    if (kindSpec(measurement.kind).isPair()) return false;
     for (const auto& [key, paths] : measurement.paths)
         for (const PickedPath& path : paths)
-            for (const PickedPoint& point : path)
-                if (point.fitted) return true;
+            if (std::any_of(path.begin(), path.end(),
+                            [](const auto& point) { return point.fitted.has_value(); }) &&
+                methodOfRepeat(scene, key, path.front()) == method)
+                return true;
     return false;
 }
 

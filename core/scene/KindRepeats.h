@@ -20,8 +20,8 @@ struct KindRepeats {
 KindRepeats kindRepeats(const SceneState& scene, const Measurement& measurement, const std::string& method,
                         bool fitted);
 
-/// Whether any pick of the object has a fitted feature.
-bool hasFitted(const Measurement& measurement);
+/// Whether any pick of the object that its kind takes has a fitted feature, and counts for the method.
+bool hasFitted(const SceneState& scene, const Measurement& measurement, const std::string& method);
 
 /// The method that repeats under `key` count for: of the layer of that id, else the method of that name, else
 /// of the layer of the first point. Empty when the scene has none of them.

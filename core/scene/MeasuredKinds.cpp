@@ -4,6 +4,7 @@
 
 #include "core/base/Numbers.h"
 #include "core/measurement/kinds/KindSpec.h"
+#include "core/scene/CloudKinds.h"
 #include "core/scene/KindOutcomes.h"
 #include "core/scene/MeasuredScene.h"
 
@@ -48,11 +49,15 @@ MeasuredKind measured(const SceneState& scene, const Measurement& measurement, c
     result.kind = measurement.kind;
     result.parameters = parametersText(measurement);
     result.layers = repeats.layers;
+    const CloudKindsLater* later = CloudKindsLater::current();
+    const std::size_t left = later ? later->missing().size() : 0;
     KindOutcome outcome = outcomeOf(scene, repeats);
+    const bool isLeft = later && later->missing().size() > left;
     for (const std::string& note : repeats.notes) addNote(result.note, note);
     for (const std::string& note : outcome.notes) addNote(result.note, note);
     result.quantities = std::move(outcome.quantities);
     result.series = std::move(outcome.series);
+    if (isLeft) return result;
     if (result.quantities.empty()) {
         addNote(result.note, "not measured with this method");
     } else if (!result.quantities.front().expandedUncertainty) {
@@ -76,7 +81,7 @@ std::vector<MeasuredKind> measureKinds(const SceneState& scene, const std::vecto
         for (const std::string& method : methods) {
             const KindRepeats picked = kindRepeats(scene, measurement, method, false);
             all.push_back(measured(scene, measurement, method, picked));
-            if (!hasFitted(measurement)) continue;
+            if (!hasFitted(scene, measurement, method)) continue;
             const KindRepeats fitted = kindRepeats(scene, measurement, method, true);
             if (!fitted.measurement.repeats.empty())
                 all.push_back(measured(scene, measurement, method + " fitted", fitted));

@@ -6,6 +6,7 @@
 
 #include "core/base/Units.h"
 #include "core/measurement/fit/FittedLength.h"
+#include "core/scene/KindRepeats.h"
 #include "core/scene/PickFrame.h"
 
 namespace vestige {
@@ -220,13 +221,33 @@ MeasuredLength measured(const SceneState& scene, const Measurement& measurement,
     return row;
 }
 
-/// True when some pick that counts for the method has a feature fitted round it.
+/// True when some pick of a length that counts for the method has a feature fitted round it.
 bool hasFittedPicks(const SceneState& scene, const std::string& method) {
-    for (const Measurement& measurement : scene.measurements)
-        for (const auto& [key, pairs] : measurement.picks)
-            for (const PickedPair& pair : pairs)
-                if ((pair.a.fitted || pair.b.fitted) && methodOf(scene, key, pair) == method) return true;
-    return false;
+    return std::any_of(scene.measurements.begin(), scene.measurements.end(), [&](const Measurement& each) {
+        return kindSpec(each.kind).isLength && hasFitted(scene, each, method);
+    });
+}
+
+/// The row of a length other than a distance; nothing for other kinds. By features, repeats and picks without
+/// one count by the points themselves, as those of a distance do.
+std::optional<MeasuredLength> kindRow(const SceneState& scene, const MeasuredScene& result,
+                                      const Measurement& measurement, const std::string& method,
+                                      bool fitted) {
+    const bool any = fitted && hasFitted(scene, measurement, method);
+    auto row = lengthOfKind(result.kinds, measurement, any ? fittedMethod(method) : method);
+    if (!row || !fitted) return row;
+    row->method = fittedMethod(method);
+    row->fitted = true;
+    if (!any && row->length)
+        row->note += (row->note.empty() ? "" : "; ") + std::to_string(row->length->repeats_m.size()) +
+                     " repeats by the points themselves: no feature was fitted at either end";
+    if (!kindSpec(measurement.kind).isPair()) return row;
+    const auto& repeats = kindRepeats(scene, measurement, method, any).measurement.repeats;
+    for (const KindRepeat& repeat : repeats) {
+        row->a += repeat.ends[0].position / static_cast<double>(repeats.size());
+        row->b += repeat.ends[1].position / static_cast<double>(repeats.size());
+    }
+    return row;
 }
 
 /// The accuracy of one method from its rows, and its exclusions back into them.
@@ -262,10 +283,9 @@ MeasuredScene measureScene(const SceneState& scene) {
     result.kinds = measureKinds(scene, methods);
     for (const Measurement& measurement : scene.measurements)
         for (const Way& way : ways) {
-            const std::string method = way.fitted ? fittedMethod(way.method) : way.method;
             if (measurement.kind == MeasurementKind::distance)
                 result.lengths.push_back(measured(scene, measurement, way.method, way.fitted));
-            else if (auto row = lengthOfKind(result.kinds, measurement, method))
+            else if (auto row = kindRow(scene, result, measurement, way.method, way.fitted))
                 result.lengths.push_back(std::move(*row));
         }
     for (const Way& way : ways)

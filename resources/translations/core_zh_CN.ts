@@ -3887,6 +3887,10 @@
         <translation>从未损坏轮廓量起，损坏部分各等距测点的深度 C1 至 C6。</translation>
     </message>
     <message>
+        <source>Depths count from the straight line between the undamaged ends. For a bulged side trace the whole outline last, and set in the panel how many points it has.</source>
+        <translation>深度从两个未损坏端点之间的直线量起。若该侧原本外凸，请在最后沿完好的轮廓单击，并在面板中设置其点数。</translation>
+    </message>
+    <message>
         <source>Diagonal of the box</source>
         <translation>长方体的对角线</translation>
     </message>
@@ -3967,8 +3971,8 @@
         <translation>给出多少个等距的深度：6 个即 C1 至 C6。</translation>
     </message>
     <message>
-        <source>How many picks at the end trace the undamaged side, which is mirrored onto the damaged one from end to end; 0: the outline is the straight line between the two undamaged ends.</source>
-        <translation>末尾有多少个点选描出未损坏的一侧，并按两端对应镜像到损坏的一侧；0：轮廓为两个未损坏端点之间的直线。</translation>
+        <source>How many picks at the end trace the undamaged outline, on the other side of the vehicle or on a scan of another, from the end that matches the first undamaged one; it is laid onto the damaged side from end to end. 0: the outline is the straight line between the two undamaged ends.</source>
+        <translation>最后多少个点取自未损坏轮廓，可在车辆的另一侧，也可在另一车辆的扫描上，从与第一个未损坏端点对应的一端开始；轮廓从一端到另一端套合到损坏侧。0：轮廓为两个未损坏端点之间的直线。</translation>
     </message>
     <message>
         <source>How many picks, from the first on, lie on the first plane; the others lie on the second.</source>
@@ -4137,6 +4141,10 @@
     <message>
         <source>The heights of the cloud along a line in plan, and their dimensions.</source>
         <translation>点云沿一条水平投影线的高程及其尺寸。</translation>
+    </message>
+    <message>
+        <source>The last %1 points trace the undamaged outline, from its first end to the second, here or on a scan of another vehicle.</source>
+        <translation>最后 %1 个点取自未损坏轮廓，从第一端到第二端，可在此处，也可在另一车辆的扫描上。</translation>
     </message>
     <message>
         <source>The length along a line through several points.</source>
@@ -4512,6 +4520,10 @@
     <message>
         <source>%1, by %2: %3</source>
         <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>%1, by %2: %3 %4</source>
+        <translation>%1，%2：%3 %4</translation>
     </message>
     <message>
         <source>--every %1 takes every %2th point, --box xmin,ymin,zmin,xmax,ymax,zmax a part; a case says &quot;keep_every&quot; or &quot;box&quot; of a layer</source>
@@ -5480,10 +5492,6 @@
         <translation>%1，每个点云 %2</translation>
     </message>
     <message>
-        <source>%1, %2, with %3.</source>
-        <translation>%1，%2，参数：%3。</translation>
-    </message>
-    <message>
         <source>%1, %2: cross-section, last repeat</source>
         <translation>%1，%2：断面，最后一次测量</translation>
     </message>
@@ -5764,6 +5772,10 @@
         <translation>格式</translation>
     </message>
     <message>
+        <source>Found with</source>
+        <translation>计算所用参数</translation>
+    </message>
+    <message>
         <source>Found: %1.</source>
         <translation>查找方式：%1。</translation>
     </message>
@@ -5954,6 +5966,10 @@
     <message>
         <source>Of a fitted end the uncertainty is that of the fit, from the scatter of its points about the feature and their number. Repeats are fitted to the same points, so this part does not shrink with their number. A surface that faces along the length is seen from its own side of the site alone, at another time than the one at the other end: 10 mm (one standard deviation) are added for the drift of the aircraft’s navigation.</source>
         <translation>拟合端点的不确定度取自拟合本身，由各点相对特征的离散程度及点数得出。各次重复所拟合的是相同的点，因此这一部分不随重复次数减小。朝向长度方向的表面只能从其所在一侧看到，与另一端的表面在不同时刻测得：为飞行器导航漂移另计 10 mm（一倍标准差）。</translation>
+    </message>
+    <message>
+        <source>Of an object that is no straight distance the row gives the main figure of its kind, such as the length along a mark or a radius; all its figures stand under “Other figures”.</source>
+        <translation>不是直线距离的对象，该行给出其类型的主要数值，例如沿痕迹的长度或半径；其全部数值见“其他数值”一节。</translation>
     </message>
     <message>
         <source>Of some files only a part was loaded: %1.</source>
@@ -6703,6 +6719,10 @@
         <translation>另一窗口已打开本案件</translation>
     </message>
     <message>
+        <source>being computed from the cloud</source>
+        <translation>正在由点云计算</translation>
+    </message>
+    <message>
         <source>call %1 %2</source>
         <translation>将 %1 的种类设为%2</translation>
     </message>
@@ -6919,6 +6939,10 @@
         <translation>长、宽、高</translation>
     </message>
     <message>
+        <source>measuring in the clouds</source>
+        <translation>在点云中测量</translation>
+    </message>
+    <message>
         <source>move pick %1, repeat %2</source>
         <translation>移动点选 %1，第 %2 次</translation>
     </message>
@@ -6941,6 +6965,10 @@
     <message>
         <source>none of the states that were kept here can be read</source>
         <translation>此处保留的状态均无法读取</translation>
+    </message>
+    <message>
+        <source>not computed; the next change of the case takes it up</source>
+        <translation>未计算；案件下次更改时重新计算</translation>
     </message>
     <message>
         <source>not measured</source>

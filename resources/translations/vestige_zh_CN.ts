@@ -908,6 +908,18 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>; the last one %1 from the mean of the others</source>
         <translation>；最后一次与其余各次平均值相差 %1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>1 repeat, %1</source>
+        <translation>1 次测量，%1</translation>
+    </message>
+    <message>
+        <source>%1 repeats, %2, SD %3</source>
+        <translation>%1 次测量，%2，标准差 %3</translation>
+    </message>
 </context>
 <context>
     <name>TimeLeft</name>
@@ -1315,6 +1327,13 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     </message>
 </context>
 <context>
+    <name>vestige::CloudMeasuring</name>
+    <message>
+        <source>Measuring in the clouds</source>
+        <translation>正在点云中测量</translation>
+    </message>
+</context>
+<context>
     <name>vestige::ColorBar</name>
     <message>
         <source>Colours</source>
@@ -1601,6 +1620,10 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
     <message>
         <source>Writing %1</source>
         <translation>正在写入 %1</translation>
+    </message>
+    <message>
+        <source>The measurements are in %1, every figure of each object in %2, what its uncertainty is made of in %3.</source>
+        <translation>测量值在 %1 中，各对象的全部数值在 %2 中，其不确定度的组成在 %3 中。</translation>
     </message>
 </context>
 <context>
@@ -2245,10 +2268,6 @@ Choose Distance above the view and click the two ends of an object, three times.
 <context>
     <name>vestige::PathTool</name>
     <message>
-        <source>There is no point within 6 pixels of this click.</source>
-        <translation>此次单击的 6 像素范围内没有点。</translation>
-    </message>
-    <message>
         <source>A path has %1 points at most.</source>
         <translation>一条路径最多有 %1 个点。</translation>
     </message>
@@ -2273,10 +2292,6 @@ Choose Distance above the view and click the two ends of an object, three times.
         <translation>第 %1 次</translation>
     </message>
     <message>
-        <source>click %1</source>
-        <translation>单击%1</translation>
-    </message>
-    <message>
         <source>; double click or Enter ends</source>
         <translation>；双击或回车键结束</translation>
     </message>
@@ -2287,6 +2302,18 @@ Choose Distance above the view and click the two ends of an object, three times.
     <message>
         <source>%1, %2: %3</source>
         <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>click %1 %2</source>
+        <translation>单击%1，%2</translation>
+    </message>
+    <message>
+        <source>N: the next kind of snap, such as an edge or a corner.</source>
+        <translation>N 键：切换到下一种捕捉，如边或角点。</translation>
+    </message>
+    <message>
+        <source>What is found is drawn before the click. N: the next kind of snap.</source>
+        <translation>单击之前即画出所找到的特征。N 键：切换到下一种捕捉。</translation>
     </message>
 </context>
 <context>
@@ -2365,6 +2392,10 @@ Choose Distance above the view and click the two ends of an object, three times.
     <message>
         <source>Moving an end of repeat %1: %2, was %3 m. Esc puts it back.</source>
         <translation>正在移动第 %1 次测量的端点：%2，原为 %3 m。按 Esc 恢复原位。</translation>
+    </message>
+    <message>
+        <source>Moving point %1 of repeat %2: %3 m from where it was. Esc puts it back.</source>
+        <translation>正在移动第 %2 次测量的第 %1 个点：距原位置 %3 m。按 Esc 恢复原位。</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "core/base/Translation.h"
 #include "core/scene/CaseFile.h"
+#include "core/scene/CloudKinds.h"
 #include "ui/document/Wording.h"
 #include "ui/watch/WatchedTime.h"
 
@@ -24,6 +25,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 void Document::watch() {
     scene_.onChange([this] {
+        cloudsGivenUp_ = false;
         if (open_ == 0) update();
     });
 }
@@ -31,10 +33,34 @@ void Document::watch() {
 void Document::update() {
     {
         const WatchedTime watched("measuring the scene");
-        measured_ = measureScene(scene_.state());
+        measure();
     }
     const WatchedTime watched("Document::changed");
     emit changed();
+}
+
+void Document::measure() {
+    uncomputed_.clear();
+    if (!cloudsElsewhere_) {
+        measured_ = measureScene(scene_.state());
+        return;
+    }
+    const CloudKindsLater later(cloudsGivenUp_);
+    measured_ = measureScene(scene_.state());
+    uncomputed_ = later.missing();
+}
+
+void Document::measureCloudsElsewhere() {
+    cloudsElsewhere_ = true;
+}
+
+void Document::measureAgain() {
+    if (open_ == 0) update();
+}
+
+void Document::giveUpClouds() {
+    cloudsGivenUp_ = true;
+    measureAgain();
 }
 
 bool Document::perform(std::unique_ptr<SceneEdit> edit) {
@@ -113,6 +139,7 @@ void Document::replaceData(const std::shared_ptr<const LayerData>& before,
 void Document::replace(SceneState state) {
     scene_ = Scene(std::move(state));
     savedBefore_.reset();
+    cloudsGivenUp_ = false;
     watch();
     emit replaced();
     update();

@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/base/Result.h"
+#include "core/scene/KindRepeats.h"
 #include "core/scene/MeasuredScene.h"
 #include "core/scene/Scene.h"
 
@@ -22,6 +24,15 @@ class Document : public QObject {
     const SceneState& state() const { return scene_.state(); }
     /// Of the present state.
     const MeasuredScene& measured() const { return measured_; }
+    /// Figures that are found from clouds are left to whoever follows uncomputed() from now on.
+    void measureCloudsElsewhere();
+    /// What has been left of the present state; what is measured says so.
+    const std::vector<KindRepeats>& uncomputed() const { return uncomputed_; }
+    /// What had been left is remembered now.
+    void measureAgain();
+    /// What has been left stays so until the next change of the case; what is measured says so.
+    void giveUpClouds();
+    bool cloudsGivenUp() const { return cloudsGivenUp_; }
 
     /// The only way to change the case. False when the edit changed nothing.
     bool perform(std::unique_ptr<SceneEdit> edit);
@@ -67,9 +78,13 @@ class Document : public QObject {
   private:
     void watch();
     void update();
+    void measure();
 
     Scene scene_;
     MeasuredScene measured_;
+    std::vector<KindRepeats> uncomputed_;
+    bool cloudsElsewhere_ = false;
+    bool cloudsGivenUp_ = false;
     std::optional<std::pair<std::uint64_t, std::uint64_t>>
         savedBefore_;  ///< step and notes, not the last ones
     int open_ = 0;     ///< nested begin()

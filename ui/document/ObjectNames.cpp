@@ -1,5 +1,7 @@
 #include "ui/document/ObjectNames.h"
 
+#include <algorithm>
+
 #include "core/base/Translation.h"
 #include "core/scene/MeasuredScene.h"
 
@@ -13,7 +15,8 @@ std::string freeObjectName(const SceneState& scene, const std::string& word) {
 }
 
 std::string shortLabel(const KindSpec& spec) {
-    return spec.label.substr(0, spec.label.find(" ("));
+    const std::string label = say(spec.label);
+    return label.substr(0, std::min(label.find(" ("), label.find("\uff08")));
 }
 
 std::string methodOfKey(const SceneState& scene, const std::string& key) {
@@ -23,9 +26,16 @@ std::string methodOfKey(const SceneState& scene, const std::string& key) {
 
 bool countsFor(const SceneState& scene, const std::string& key, const PickedPair& pair,
                const std::string& method) {
+    return countsFor(scene, key, PickedPath{pair.a, pair.b}, method);
+}
+
+bool countsFor(const SceneState& scene, const std::string& key, const PickedPath& path,
+               const std::string& method) {
     const std::string own = methodOfKey(scene, key);
-    return method.empty() || method == own ||
-           ((pair.a.fitted || pair.b.fitted) && method == fittedMethod(own));
+    if (method.empty() || method == own) return true;
+    const bool fitted = std::any_of(path.begin(), path.end(),
+                                    [](const PickedPoint& point) { return point.fitted.has_value(); });
+    return fitted && method == fittedMethod(own);
 }
 
 std::optional<PickPlace> lastPick(const Measurement& measurement, const SceneState& scene,
@@ -35,8 +45,8 @@ std::optional<PickPlace> lastPick(const Measurement& measurement, const SceneSta
         for (std::size_t i = 0; i < pairs.size(); ++i)
             if (countsFor(scene, key, pairs[i], method)) last = PickPlace{key, i};
     for (const auto& [key, paths] : measurement.paths)
-        if (!paths.empty() && (method.empty() || methodOfKey(scene, key) == method))
-            last = PickPlace{key, paths.size() - 1, true};
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            if (countsFor(scene, key, paths[i], method)) last = PickPlace{key, i, true};
     return last;
 }
 
@@ -45,7 +55,7 @@ std::size_t pickCount(const Measurement& measurement, const SceneState& scene, c
     for (const auto& [key, pairs] : measurement.picks)
         for (const PickedPair& pair : pairs) count += countsFor(scene, key, pair, method);
     for (const auto& [key, paths] : measurement.paths)
-        if (method.empty() || methodOfKey(scene, key) == method) count += paths.size();
+        for (const PickedPath& path : paths) count += countsFor(scene, key, path, method);
     return count;
 }
 

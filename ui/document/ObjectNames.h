@@ -11,7 +11,7 @@ namespace vestige {
 /// "Length 1", "Length 2", ...: the first that no object of the case has.
 std::string freeObjectName(const SceneState& scene, const std::string& word = {});
 
-/// The first words of a kind's label: "Arc" of "Arc (yaw mark)".
+/// The first words of a kind's label, in the language of the window: "Arc" of "Arc (yaw mark)".
 std::string shortLabel(const KindSpec& spec);
 
 /// Where a repeat stands in Measurement::picks, or in its paths.
@@ -30,6 +30,8 @@ std::size_t pickCount(const Measurement& measurement, const SceneState& scene, c
 /// Whether a pair under this key is a repeat of `method`: that of its layer, or the one that takes what was
 /// fitted round its ends (fittedMethod). Every pair is one of the empty method.
 bool countsFor(const SceneState& scene, const std::string& key, const PickedPair& pair,
+               const std::string& method);
+bool countsFor(const SceneState& scene, const std::string& key, const PickedPath& path,
                const std::string& method);
 
 /// The method that picks under this key (a layer's id, or a method's name) count for.

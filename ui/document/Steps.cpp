@@ -3,6 +3,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "core/measurement/kinds/KindSpec.h"
 #include "core/pipeline/RegisterLayers.h"
 #include "ui/document/Wording.h"
 
@@ -157,7 +158,7 @@ StepFacts reportFacts(const SceneState& scene, const MeasuredScene& measured, bo
     }
     QStringList tapeless;
     for (const Measurement& measurement : scene.measurements)
-        if (!measurement.tape_m) tapeless << toQt(measurement.object);
+        if (!measurement.tape_m && kindSpec(measurement.kind).isLength) tapeless << toQt(measurement.object);
     if (!tapeless.isEmpty())
         facts.missing << oneOrMany(tapeless, QObject::tr("%1 has no tape value"),
                                    QObject::tr("%1 objects without a tape value"));

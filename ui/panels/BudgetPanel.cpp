@@ -14,6 +14,7 @@
 #include "ui/actions/KindTools.h"
 #include "ui/document/Document.h"
 #include "ui/document/Notices.h"
+#include "ui/document/ObjectNames.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
 #include "ui/forms/ParameterForm.h"
@@ -169,7 +170,8 @@ void BudgetPanel::fill() {
     tree_->setVisible(measured && !measured->quantities.empty());
     tree_->showFigures(measured);
     QString note = measured ? said(measured->note) : QString();
-    if (measured && measured->quantities.empty())
+    if (measured && measured->quantities.empty() &&
+        pickCount(*object, document_.state(), selection_.method()) == 0)
         note += tr(". Choose its tool above the view and click; three repeats make a measurement.");
     note_->setText(note);
     note_->setVisible(!note.isEmpty());

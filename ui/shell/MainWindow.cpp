@@ -46,6 +46,7 @@
 #include "ui/jobs/ThreadedJobRunner.h"
 #include "ui/shell/AboutBox.h"
 #include "ui/shell/CleaningTools.h"
+#include "ui/shell/CloudMeasuring.h"
 #include "ui/shell/GuiThreadRenderer.h"
 #include "ui/shell/HeaderBar.h"
 #include "ui/shell/RecentMenu.h"
@@ -74,6 +75,7 @@ struct MainWindow::Private {
           actions(&window),
           loader(document, *jobs, notices),
           evidence(document, *jobs, notices),
+          clouds(document, *jobs, notices),
           view(std::make_unique<SceneView>(makeSurface, &window)),
           presenter(std::make_unique<ScenePresenter>(
               ScenePresenter::Models{document, selection, presentation, preview, comparison, attempts, marks},
@@ -125,6 +127,7 @@ struct MainWindow::Private {
     ActionCatalog actions;
     Loader loader;
     Evidence evidence;
+    CloudMeasuring clouds;
     std::unique_ptr<SceneView> view;
     std::unique_ptr<ScenePresenter> presenter;
     std::unique_ptr<ToolSwitch> tools;

@@ -21,7 +21,7 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
       mover_(document, selection, picks_, feedback_),
       orbit_(probe_, mover_, choices_),
       measure_(document, selection, {choices_, picks_, feedback_, mover_}),
-      path_(document, selection, notices, probe_),
+      path_(document, selection, notices, {choices_, picks_, feedback_, mover_}),
       compare_(comparison) {
     view_.setGuard(&compare_);
     actions.onToggled("tool.orbit", [this](bool on) {
@@ -33,18 +33,20 @@ ToolSwitch::ToolSwitch(ActionCatalog& actions, Document& document, Selection& se
     });
     for (const auto& [id, kind] : kindTools())
         actions.onToggled(id, [this, kind = kind](bool on) {
-            if (!on) return;
-            path_.setKind(kind);
-            view_.setTool(&path_);
+            if (on) {
+                path_.setKind(kind);
+                view_.setTool(&path_);
+            }
+            emit picking(on);
         });
     connect(&path_, &PathTool::hintChanged, this, &ToolSwitch::hintChanged);
     QAction& distance = actions["tool.distance"];
     distance.setShortcuts({distance.shortcut(), QKeySequence(Qt::Key_M)});
     connect(&measure_, &MeasureTool::hintChanged, this, &ToolSwitch::hintChanged);
     // Not at once: the tool may be in the middle of an event of the view that it would leave.
-    connect(
-        &measure_, &MeasureTool::finished, this, [&actions] { actions["tool.orbit"].setChecked(true); },
-        Qt::QueuedConnection);
+    const auto orbit = [&actions] { actions["tool.orbit"].setChecked(true); };
+    connect(&measure_, &MeasureTool::finished, this, orbit, Qt::QueuedConnection);
+    connect(&path_, &PathTool::finished, this, orbit, Qt::QueuedConnection);
     connect(&mover_, &PickMover::told, this, [this](const QString& sentence) {
         if (view_.tool() == &orbit_) emit hintChanged(sentence);
     });

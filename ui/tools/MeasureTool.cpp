@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 
+#include "core/measurement/kinds/KindSpec.h"
 #include "core/scene/Edits.h"
 #include "core/scene/MeasuredScene.h"
 #include "ui/document/Document.h"
@@ -150,11 +151,17 @@ void MeasureTool::take(const ProbedPlace& place) {
     tellHint();
 }
 
+const Measurement* MeasureTool::again() const {
+    const Measurement* selected = document_.state().measurement(selection_.object());
+    return selected && kindSpec(selected->kind).isPair() ? selected : nullptr;
+}
+
 void MeasureTool::complete(const ProbedPick& second) {
     const PickedPair pair{first_->point, second.point};
     first_.reset();
-    std::string object = selection_.object();
-    const bool created = document_.state().measurement(object) == nullptr;
+    const Measurement* selected = again();
+    const bool created = selected == nullptr;
+    std::string object = created ? std::string() : selected->object;
     if (created) object = freeObjectName(document_.state());
     if (created) {
         document_.begin(QString::fromStdString("pick " + object + ", repeat 1"));
@@ -169,7 +176,7 @@ void MeasureTool::complete(const ProbedPick& second) {
     selection_.setObject(object);
     const auto& held = document_.state().measurement(object)->picks;
     if (const auto pairs = held.find(pair.a.layer); pairs != held.end())
-        last_ = PickHandle{object, pair.a.layer, pairs->second.size() - 1, true};
+        last_ = PickHandle{object, pair.a.layer, pairs->second.size() - 1, 1, false};
     aids_.mover.select(last_);
     if (created) emit objectCreated(object);
 }
@@ -206,7 +213,7 @@ void MeasureTool::showPending(const std::optional<Eigen::Vector3d>& under) {
 
 void MeasureTool::tellHint() {
     if (!view_) return;
-    const Measurement* object = document_.state().measurement(selection_.object());
+    const Measurement* object = again();
     const QString name = object ? QString::fromStdString(object->object) : tr("New object");
     const std::size_t done = object ? pickCount(*object, document_.state(), selection_.method()) : 0;
     const QString repeat = done < 3 ? tr("repeat %1 of 3").arg(done + 1) : tr("repeat %1").arg(done + 1);
@@ -214,7 +221,6 @@ void MeasureTool::tellHint() {
     const QString step = first_ ? tr("click the second end %1, Esc gives up").arg(taken)
                                 : tr("click the first end %1").arg(taken);
     QString hint = tr("%1, %2: %3").arg(name, repeat, step);
-    // Whoever aims at the second end should not know what would fit the other repeats.
     // Whoever aims at the second end should not know what would fit the other repeats.
     QString below = problem_;
     if (below.isEmpty() && !first_) below = repeatNoiseText(document_.state(), selection_, last_);

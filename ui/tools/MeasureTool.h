@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/scene/Measurement.h"
+#include "ui/tools/PickAids.h"
 #include "ui/tools/PickHandles.h"
 #include "ui/tools/ProbedPlace.h"
 #include "ui/view/ViewTool.h"
@@ -12,24 +13,13 @@
 namespace vestige {
 
 class Document;
-class PickChoices;
-class PickFeedback;
-class PickMover;
-class PickProbe;
 class Selection;
 
-/// What every tool that picks works with.
-struct PickAids {
-    const PickChoices& choices;
-    PickProbe& probe;
-    PickFeedback& feedback;
-    PickMover& mover;
-};
-
 /// Picks the two ends of a length: a click without dragging takes an end, the second completes one repeat of
-/// the selected object (of a new one when none is selected). Dragging turns the view, but on the end of a
-/// repeat, which it moves; with Alt it turns the view there, too, and a click picks nothing. Esc or a right
-/// click gives up the first end; without one, they leave the tool, as does a double click that ends a pair.
+/// the selected object (of a new one when none is selected, or that is no pair of ends). Dragging turns the
+/// view, but on the end of a repeat, which it moves; with Alt it turns the view there, too, and a click picks
+/// nothing. Esc or a right click gives up the first end; without one, they leave the tool, as does a double
+/// click that ends a pair.
 class MeasureTool : public QObject, public ViewTool {
     Q_OBJECT
 
@@ -59,6 +49,8 @@ class MeasureTool : public QObject, public ViewTool {
     void finished();
 
   private:
+    /// The selected object where the next pair is a repeat of it.
+    const Measurement* again() const;
     void click(SceneView& view, const QPoint& position);
     void take(const ProbedPlace& place);
     void complete(const ProbedPick& second);

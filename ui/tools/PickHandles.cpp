@@ -3,6 +3,8 @@
 #include <QPainter>
 #include <cmath>
 
+#include "core/measurement/kinds/KindSpec.h"
+#include "core/pipeline/KindStrokes.h"
 #include "core/scene/PickFrame.h"
 #include "ui/document/ObjectNames.h"
 #include "ui/document/Selection.h"
@@ -13,12 +15,21 @@ namespace {
 
 constexpr double kReach_px = 7;
 
-const PickedPair* pairOf(const SceneState& scene, const PickHandle& handle) {
+/// The points of a repeat in their order; empty when the scene lacks it.
+std::vector<const PickedPoint*> pointsOf(const SceneState& scene, const PickHandle& handle) {
+    std::vector<const PickedPoint*> points;
     const Measurement* held = scene.measurement(handle.object);
-    if (!held) return nullptr;
+    if (!held) return points;
+    if (handle.ofPath) {
+        const auto found = held->paths.find(handle.key);
+        if (found == held->paths.end() || handle.repeat >= found->second.size()) return points;
+        for (const PickedPoint& point : found->second[handle.repeat]) points.push_back(&point);
+        return points;
+    }
     const auto found = held->picks.find(handle.key);
-    if (found == held->picks.end() || handle.repeat >= found->second.size()) return nullptr;
-    return &found->second[handle.repeat];
+    if (found == held->picks.end() || handle.repeat >= found->second.size()) return points;
+    const PickedPair& pair = found->second[handle.repeat];
+    return {&pair.a, &pair.b};
 }
 
 std::optional<QPointF> seen(const ViewCamera& camera, const Eigen::Vector3d& world) {
@@ -42,6 +53,21 @@ void paintHandle(QPainter& painter, const ViewTheme& theme, const QPointF& at, b
     painter.setBrush(Qt::NoBrush);
 }
 
+void paintLine(QPainter& painter, const ViewTheme& theme, const ViewCamera& camera,
+               const KindStroke& stroke) {
+    const auto& places = stroke.points;
+    if (places.size() < 2) return;
+    const std::size_t last = stroke.closed && places.size() > 2 ? places.size() : places.size() - 1;
+    for (const QPen& pen : {QPen(theme.casing, 2.4), QPen(theme.highlight, 1)}) {
+        painter.setPen(pen);
+        for (std::size_t i = 0; i < last; ++i) {
+            const auto a = seen(camera, places[i]);
+            const auto b = seen(camera, places[(i + 1) % places.size()]);
+            if (a && b) painter.drawLine(*a, *b);
+        }
+    }
+}
+
 }  // namespace
 
 Eigen::Vector3d measuredPlace(const SceneState& scene, const PickedPoint& point, const std::string& method) {
@@ -54,23 +80,37 @@ std::vector<PlacedRepeat> shownRepeats(const SceneState& scene, const Selection&
     std::vector<PlacedRepeat> repeats;
     const Measurement* object = scene.measurement(selection.object());
     if (!object) return repeats;
-    for (const auto& [key, pairs] : object->picks) {
+    const std::string& method = selection.method();
+    for (const auto& [key, pairs] : object->picks)
         for (std::size_t i = 0; i < pairs.size(); ++i)
-            if (countsFor(scene, key, pairs[i], selection.method()))
-                repeats.push_back({key, i, measuredPlace(scene, pairs[i].a, selection.method()),
-                                   measuredPlace(scene, pairs[i].b, selection.method())});
-    }
+            if (countsFor(scene, key, pairs[i], method))
+                repeats.push_back(
+                    {key,
+                     i,
+                     false,
+                     {measuredPlace(scene, pairs[i].a, method), measuredPlace(scene, pairs[i].b, method)}});
+    // Paths may be left of another kind.
+    if (kindSpec(object->kind).isPair()) return repeats;
+    for (const auto& [key, paths] : object->paths)
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            if (!countsFor(scene, key, paths[i], method)) continue;
+            PlacedRepeat repeat{key, i, true, {}};
+            for (const PickedPoint& point : paths[i])
+                repeat.places.push_back(measuredPlace(scene, point, method));
+            repeats.push_back(std::move(repeat));
+        }
     return repeats;
 }
 
 const PickedPoint* pointOf(const SceneState& scene, const PickHandle& handle) {
-    const PickedPair* pair = pairOf(scene, handle);
-    return !pair ? nullptr : handle.second ? &pair->b : &pair->a;
+    const auto points = pointsOf(scene, handle);
+    return handle.place < points.size() ? points[handle.place] : nullptr;
 }
 
-const PickedPoint* otherEndOf(const SceneState& scene, const PickHandle& handle) {
-    const PickedPair* pair = pairOf(scene, handle);
-    return !pair ? nullptr : handle.second ? &pair->a : &pair->b;
+const PickedPoint* neighbourOf(const SceneState& scene, const PickHandle& handle) {
+    const auto points = pointsOf(scene, handle);
+    const std::size_t place = handle.place == 0 ? 1 : handle.place - 1;
+    return place < points.size() ? points[place] : nullptr;
 }
 
 std::optional<PickHandle> handleAt(const SceneState& scene, const Selection& selection,
@@ -78,37 +118,40 @@ std::optional<PickHandle> handleAt(const SceneState& scene, const Selection& sel
     std::optional<PickHandle> nearest;
     double reach = kReach_px;
     for (const PlacedRepeat& repeat : shownRepeats(scene, selection)) {
-        for (const bool second : {false, true}) {
-            const auto at = seen(camera, second ? repeat.b : repeat.a);
+        for (std::size_t place = 0; place < repeat.places.size(); ++place) {
+            const auto at = seen(camera, repeat.places[place]);
             if (!at) continue;
             const double distance = std::hypot(at->x() - position.x(), at->y() - position.y());
             if (distance > reach) continue;
             reach = distance;
-            nearest = PickHandle{selection.object(), repeat.key, repeat.repeat, second};
+            nearest = repeat.handle(selection.object(), place);
         }
     }
     return nearest;
 }
 
 void paintRepeats(QPainter& painter, const ViewTheme& theme, const ViewCamera& camera,
-                  const SceneState& scene, const Selection& selection, bool handles,
-                  const std::optional<PickHandle>& pointed, const std::optional<PickHandle>& active) {
-    const std::vector<PlacedRepeat> repeats = shownRepeats(scene, selection);
-    for (const PlacedRepeat& repeat : repeats) {
-        const auto a = seen(camera, repeat.a);
-        const auto b = seen(camera, repeat.b);
-        if (!a || !b || repeats.size() < 2) continue;
-        painter.setPen(QPen(theme.casing, 2.4));
-        painter.drawLine(*a, *b);
-        painter.setPen(QPen(theme.highlight, 1));
-        painter.drawLine(*a, *b);
+                  const SceneState& scene, const Selection& selection, const HandleLooks& looks) {
+    std::vector<PlacedRepeat> repeats = shownRepeats(scene, selection);
+    const Measurement* object = scene.measurement(selection.object());
+    if (!object) return;
+    const auto isActive = [&](const PlacedRepeat& repeat) {
+        return looks.active && looks.active->place < repeat.places.size() &&
+               *looks.active == repeat.handle(selection.object(), looks.active->place);
+    };
+    for (PlacedRepeat& repeat : repeats) {
+        const bool changing = looks.proposed && repeat.ofPath && isActive(repeat);
+        if (changing) repeat.places[looks.active->place] = *looks.proposed;
+        if (repeats.size() < 2 && !changing) continue;
+        for (const KindStroke& stroke : strokesOf(object->kind, object->settings, repeat.places))
+            paintLine(painter, theme, camera, stroke);
     }
-    if (!handles) return;
+    if (!looks.shown) return;
     for (const PlacedRepeat& repeat : repeats) {
-        for (const bool second : {false, true}) {
-            const PickHandle handle{selection.object(), repeat.key, repeat.repeat, second};
-            if (const auto at = seen(camera, second ? repeat.b : repeat.a))
-                paintHandle(painter, theme, *at, handle == pointed, handle == active);
+        for (std::size_t place = 0; place < repeat.places.size(); ++place) {
+            const PickHandle handle = repeat.handle(selection.object(), place);
+            if (const auto at = seen(camera, repeat.places[place]))
+                paintHandle(painter, theme, *at, handle == looks.pointed, handle == looks.active);
         }
     }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/scene/Edits.h"
+#include "core/scene/KindEdits.h"
 #include "core/scene/PickFrame.h"
 #include "ui/document/Document.h"
 #include "ui/document/ObjectNames.h"
@@ -138,7 +139,7 @@ void PickMover::leave(SceneView& view) {
         // No more answers come from here on: what the keys had come to counts.
         const Nudge done = *nudge_;
         nudge_.reset();
-        view.setPendingMark(std::nullopt);
+        withdraw(view);
         if (done.last) finish(view, done.handle, *done.last);
     }
     if (held_) giveUp(view);
@@ -148,10 +149,11 @@ void PickMover::leave(SceneView& view) {
 
 void PickMover::paint(QPainter& painter, const ViewCamera& camera, const ViewTheme& theme,
                       bool handles) const {
-    paintRepeats(painter, theme, camera, document_.state(), selection_, handles, pointed_, active_);
+    paintRepeats(painter, theme, camera, document_.state(), selection_,
+                 {handles, pointed_, active_, proposed_});
 }
 
-/// The pixel that a click for the end as it is would aim at: where its measured point is seen.
+/// The pixel that a click for the point as it is would aim at: where its measured point is seen.
 std::optional<QPoint> PickMover::aimOf(const SceneView& view, const PickHandle& handle) const {
     const PickedPoint* point = pointOf(document_.state(), handle);
     if (!point) return std::nullopt;
@@ -172,32 +174,49 @@ QString PickMover::refusal(const PickHandle& handle, const ProbedPlace& place) c
 void PickMover::propose(SceneView& view, const PickHandle& handle, const ProbedPlace& place) {
     feedback_.show(view, place);
     const SceneState& scene = document_.state();
-    const PickedPoint* end = pointOf(scene, handle);
-    const PickedPoint* other = otherEndOf(scene, handle);
-    if (!end || !other) return;
+    const PickedPoint* point = pointOf(scene, handle);
+    const PickedPoint* other = neighbourOf(scene, handle);
+    if (!point || !other) return;
     const QString problem = refusal(handle, place);
     if (!problem.isEmpty()) {
-        view.setPendingMark(std::nullopt);
+        withdraw(view);
         emit told(problem);
         return;
     }
     const Eigen::Vector3d fixed = measuredPlace(scene, *other, selection_.method());
-    const double before_m = (measuredPlace(scene, *end, selection_.method()) - fixed).norm();
+    const Eigen::Vector3d from = measuredPlace(scene, *point, selection_.method());
+    const double before_m = (from - fixed).norm();
     const double now_m = (place.pick->place() - fixed).norm();
     const QString length = lengthText(now_m) + " m";
+    proposed_ = place.pick->place();
     view.setPendingMark(ViewMark{fixed, place.pick->place(), length.toStdString(), true});
-    emit told(tr("Moving an end of repeat %1: %2, was %3 m. Esc puts it back.")
-                  .arg(handle.repeat + 1)
-                  .arg(length, lengthText(before_m)));
+    if (handle.ofPath)
+        emit told(tr("Moving point %1 of repeat %2: %3 m from where it was. Esc puts it back.")
+                      .arg(handle.place + 1)
+                      .arg(handle.repeat + 1)
+                      .arg(lengthText((place.pick->place() - from).norm())));
+    else
+        emit told(tr("Moving an end of repeat %1: %2, was %3 m. Esc puts it back.")
+                      .arg(handle.repeat + 1)
+                      .arg(length, lengthText(before_m)));
+}
+
+/// Nothing is proposed any longer.
+void PickMover::withdraw(SceneView& view) {
+    proposed_.reset();
+    view.setPendingMark(std::nullopt);
 }
 
 void PickMover::finish(SceneView& view, const PickHandle& handle, const ProbedPlace& place) {
-    view.setPendingMark(std::nullopt);
+    withdraw(view);
     const QString problem = refusal(handle, place);
     emit told(problem);
-    if (problem.isEmpty())
-        document_.perform(
-            movePick(handle.object, handle.key, handle.repeat, handle.second, place.pick->point));
+    if (!problem.isEmpty()) return;
+    const PickedPoint& point = place.pick->point;
+    if (handle.ofPath)
+        document_.perform(movePathPoint(handle.object, handle.key, handle.repeat, handle.place, point));
+    else
+        document_.perform(movePick(handle.object, handle.key, handle.repeat, handle.place == 1, point));
 }
 
 bool PickMover::nudge(SceneView& view, const QPoint& step) {
@@ -249,7 +268,7 @@ void PickMover::giveUp(SceneView& view) {
     pointed_.reset();
     probe_.stop();
     feedback_.hide();
-    view.setPendingMark(std::nullopt);
+    withdraw(view);
     emit told({});
 }
 
@@ -263,7 +282,7 @@ void PickMover::follow() {
     if (nudge_ && gone(nudge_->handle)) {
         nudge_.reset();
         nudgeTimer_.stop();
-        nudgedIn_->setPendingMark(std::nullopt);
+        withdraw(*nudgedIn_);
     }
 }
 

@@ -21,9 +21,10 @@ class PickFeedback;
 class PickProbe;
 class SceneView;
 
-/// Moves ends that were picked: by dragging their handles, or pixel by pixel with the arrow keys. Each move
-/// is picked and snapped anew while it lasts, enters the case as one step when it ends, and leaves it as it
-/// was on Esc. Only a press on a handle begins one, so that turning the view moves nothing.
+/// Moves points that were picked, ends of pairs and corners of paths: by dragging their handles, or pixel by
+/// pixel with the arrow keys. Each move is picked and snapped anew while it lasts, enters the case as one
+/// step when it ends, and leaves it as it was on Esc. Only a press on a handle begins one, so that turning
+/// the view moves nothing.
 class PickMover : public QObject {
     Q_OBJECT
 
@@ -47,7 +48,7 @@ class PickMover : public QObject {
     /// A move has begun that has not entered the case.
     bool moving() const { return (held_ && held_->dragging) || nudge_; }
 
-    /// The end that the arrow keys move.
+    /// The point that the arrow keys move.
     void select(std::optional<PickHandle> handle);
     /// The tool is left: what was nudged enters the case, a drag is given up.
     void leave(SceneView& view);
@@ -75,6 +76,7 @@ class PickMover : public QObject {
     };
     std::optional<QPoint> aimOf(const SceneView& view, const PickHandle& handle) const;
     void propose(SceneView& view, const PickHandle& handle, const ProbedPlace& place);
+    void withdraw(SceneView& view);
     void finish(SceneView& view, const PickHandle& handle, const ProbedPlace& place);
     QString refusal(const PickHandle& handle, const ProbedPlace& place) const;
     bool nudge(SceneView& view, const QPoint& step);
@@ -88,6 +90,7 @@ class PickMover : public QObject {
     PickFeedback& feedback_;
     std::optional<PickHandle> pointed_;
     std::optional<PickHandle> active_;
+    std::optional<Eigen::Vector3d> proposed_;  ///< where `active_` would go
     std::optional<Held> held_;
     std::optional<Nudge> nudge_;
     SceneView* nudgedIn_ = nullptr;

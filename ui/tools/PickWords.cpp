@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/measurement/Length.h"
+#include "core/report/QuantityText.h"
+#include "core/scene/MeasuredScene.h"
 #include "ui/document/PickChoices.h"
 #include "ui/document/Selection.h"
 #include "ui/document/Wording.h"
@@ -49,7 +51,8 @@ QString repeatNoiseText(const SceneState& scene, const Selection& selection,
     std::vector<double> lengths, others;
     std::optional<double> lastLength;
     for (const PlacedRepeat& repeat : shownRepeats(scene, selection)) {
-        const double length = (repeat.b - repeat.a).norm();
+        if (repeat.ofPath) continue;
+        const double length = (repeat.places[1] - repeat.places[0]).norm();
         lengths.push_back(length);
         if (last && last->object == selection.object() && last->key == repeat.key &&
             last->repeat == repeat.repeat)
@@ -67,6 +70,22 @@ QString repeatNoiseText(const SceneState& scene, const Selection& selection,
         text += QObject::tr("; the last one %1 from the mean of the others")
                     .arg(signedMillimetres(*lastLength - lengthStatistic(others, {}, {})->mean_m));
     return text;
+}
+
+QString figureNoiseText(const MeasuredScene& measured, const Selection& selection) {
+    for (const MeasuredKind& kind : measured.kinds) {
+        if (kind.object != selection.object() || kind.method != selection.method()) continue;
+        if (kind.quantities.empty()) return {};
+        const QuantityStatistic& main = kind.quantities.front();
+        const QString text = QObject::tr("%1: %2").arg(said(main.label), toQt(quantitySentence(main)));
+        if (!main.repeatSd) return QObject::tr("1 repeat, %1").arg(text);
+        const bool metres = main.unit == QuantityUnit::metre;
+        const QString sd =
+            metres ? millimetreText(*main.repeatSd)
+                   : QString::number(*main.repeatSd, 'g', 2) + ' ' + toQt(readableSymbol(main.unit));
+        return QObject::tr("%1 repeats, %2, SD %3").arg(main.repeats.size()).arg(text, sd);
+    }
+    return {};
 }
 
 }  // namespace vestige

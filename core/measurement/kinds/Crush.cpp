@@ -58,14 +58,19 @@ double meanDepth(const Line& line) {
 
 /// How far the undamaged outline lies outside of the base line, by place along it: the outline traced on the
 /// undamaged side, laid onto the base line end to end.
-Line bulgeOf(std::span<const KindEnd> outline, const Frame& base, const Eigen::Vector2d& inward) {
+Line bulgeOf(std::span<const KindEnd> outline, const Frame& base, const Eigen::Vector2d& inward,
+             bool elsewhere) {
     const Frame other(outline.front().position, outline.back().position);
-    // Outlines of opposite sides face each other; one of the same side has the same inside.
+    // Outlines of opposite sides face each other; one of the same side has the same inside. A vehicle on
+    // another scan may stand anywhere: there the outline is one that bulges, as all whole fronts, rears and
+    // sides do.
     const Eigen::Vector2d across = base.middle() - other.middle();
     const double towards = other.left().dot(across);
     double side = std::abs(towards) > 0.3 * other.length ? (towards > 0 ? 1 : -1)
                                                          : (other.left().dot(inward) > 0 ? 1 : -1);
     Line line = lineOf(outline, other, -side);
+    if (elsewhere && meanDepth(line) < 0)
+        for (auto& [x, y] : line) y = -y;
     for (auto& [x, y] : line) x *= base.length / other.length;
     return line;
 }
@@ -85,7 +90,8 @@ Result<KindValues> crushValues(const KindInput& input) {
     if (!(width > 0)) return fail(ErrorCode::input, "the points of the damage lie over one place");
     Line bulge{{0, 0}, {base.length, 0}};
     if (traced > 0) {
-        bulge = bulgeOf(input.ends.last(traced), base, side * base.left());
+        bulge = bulgeOf(input.ends.last(traced), base, side * base.left(),
+                        input.ends.back().body != input.ends.front().body);
         if (!std::isfinite(bulge.back().first))
             return fail(ErrorCode::input, "the outline's ends are one and the same");
     }
@@ -152,8 +158,11 @@ const ParameterTable& crushParameters() {
          0.0,
          100.0,
          {},
-         "How many picks at the end trace the undamaged side, which is mirrored onto the damaged one from "
-         "end to end; 0: the outline is the straight line between the two undamaged ends."}};
+         "How many picks at the end trace the undamaged outline, on the other side of the vehicle or on a "
+         "scan of "
+         "another, from the end that matches the first undamaged one; it is laid onto the damaged side from "
+         "end "
+         "to end. 0: the outline is the straight line between the two undamaged ends."}};
     return table;
 }
 

@@ -180,6 +180,26 @@ const std::string& KindSpec::pickName(std::size_t place) const {
     return picks[std::min(place, picks.size() - 1)];
 }
 
+const std::string& pickName(const KindSpec& spec, const std::map<std::string, double>& settings,
+                            std::size_t place) {
+    const auto first = settings.find("first_plane_points");
+    if (first == settings.end()) return spec.pickName(place);
+    return static_cast<double>(place) < first->second ? spec.picks.front() : spec.picks.back();
+}
+
+std::string pickAdvice(const KindSpec& spec, const std::map<std::string, double>& settings) {
+    if (spec.kind != Kind::crush) return {};
+    const auto outline = settings.find("outline_points");
+    if (outline == settings.end() || outline->second == 0)
+        return "Depths count from the straight line between the undamaged ends. For a bulged side trace the "
+               "whole "
+               "outline last, and set in the panel how many points it has.";
+    return "The last " + std::to_string(static_cast<int>(outline->second)) +
+           " points trace the undamaged outline, from its first end to the second, here or on a scan of "
+           "another "
+           "vehicle.";
+}
+
 const std::vector<KindSpec>& kindTable() {
     static const std::vector<KindSpec> table = makeTable();
     return table;

@@ -29,6 +29,12 @@ struct KindSpec {
     const std::string& pickName(std::size_t place) const;
 };
 
+/// What the pick of that place is for an object with these settings: a plane may have more points than three.
+const std::string& pickName(const KindSpec& spec, const std::map<std::string, double>& settings,
+                            std::size_t place);
+/// What to know while picking the kind; empty for most.
+std::string pickAdvice(const KindSpec& spec, const std::map<std::string, double>& settings);
+
 const std::vector<KindSpec>& kindTable();
 const KindSpec& kindSpec(MeasurementKind kind);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/CancelScope.h"
+
 namespace vestige {
 namespace {
 
@@ -29,6 +31,7 @@ std::vector<std::vector<Eigen::Vector3d>> gradients(const KindSpec& spec, const 
     const auto evaluated = [&] { return spec.evaluate(repeat.input(moved, settings)); };
     for (std::size_t i = 0; i < moved.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
+            throwIfCancelled();
             const double held = moved[i].position[axis];
             const double step = std::max(kSmallestStep_m, moved[i].standard_m());
             moved[i].position[axis] = held + step;

@@ -70,3 +70,18 @@ TEST(CloseUp, LooksFromWhereBothEndsAreSeenBelowTheCeiling) {
     EXPECT_LT(direction.z(), -0.3) << "down onto the road";
     EXPECT_LT(std::abs(direction.dot((kMark.b - kMark.a).normalized())), 0.1) << "square to the pair";
 }
+
+TEST(CloseUp, LooksFromWhereMostOfAPathIsSeen) {
+    const SceneState scene = roadUnderCrown();
+    ViewDescription view = describeView(scene, ColorMode::source, Overlay::none);
+    std::vector<Eigen::Vector3d> path;
+    for (int i = 0; i < 40; ++i) path.push_back(kOrigin + Eigen::Vector3d(2 + 0.1 * i, 5, 0));
+    const CloseUpSphere sphere = sphereRound(path);
+    EXPECT_NEAR(sphere.centre.x(), kOrigin.x() + 3.95, 1e-9);
+    for (const Eigen::Vector3d& point : path) EXPECT_LT((point - sphere.centre).norm(), sphere.radius_m);
+    // Under the crown nothing of it is seen from above; with the crown left out it is from steeply above.
+    cropView(view, scene, sphere.centre, 4 * sphere.radius_m, kOrigin.z() + 1);
+    const Eigen::Vector3d direction = closeUpDirection(view, {"aerial"}, path).normalized();
+    EXPECT_LT(direction.z(), -0.6) << "a mark on the ground is looked at from higher up";
+    EXPECT_LT(std::abs(direction.x()), 0.1) << "square to the path";
+}

@@ -64,9 +64,9 @@ TEST(KindReport, TellsFiguresBudgetsAndCharts) {
     report.sections = {kindSection(input), uncertaintySection(input), checkSection(input)};
     const std::string text = test::textOf(report);
     EXPECT_THAT(text, AllOf(HasSubstr("Arc (yaw mark)"), HasSubstr("\nRadius by fit\t"),
-                            HasSubstr("\nCritical speed, radius by fit\t"), HasSubstr("drag_factor=0.7"),
-                            HasSubstr("\nC6\t"), HasSubstr("Front, lidar: crush in plan"),
-                            HasSubstr("undamaged outline")));
+                            HasSubstr("\nCritical speed, radius by fit\t"), HasSubstr("Found with"),
+                            HasSubstr("\n0.7\t"), HasSubstr("\nC6\t"),
+                            HasSubstr("Front, lidar: crush in plan"), HasSubstr("undamaged outline")));
     EXPECT_THAT(text, AllOf(HasSubstr("\nrepeats\t"), HasSubstr("\nsensor noise\t"),
                             HasSubstr("\npoint spacing\t"), HasSubstr("rectangular")));
     EXPECT_THAT(text, HasSubstr("\npassed\t"));

@@ -84,6 +84,53 @@ TEST(FittedPicks, AreMeasuredBesideThePointsPicked) {
               1);
 }
 
+TEST(FittedPicks, PathsAreRowsBesideThePlainOnes) {
+    SceneState scene = test::sampleScene();
+    Measurement mark;
+    mark.object = "Skid mark";
+    mark.kind = MeasurementKind::polyline;
+    Measurement heap = mark;
+    heap.object = "Patch";
+    heap.kind = MeasurementKind::area;
+    Measurement height = mark;
+    height.object = "Step";
+    height.kind = MeasurementKind::vertical;
+    height.picks["aerial"] = {{{"aerial", {0, 0, 1}, 0.01}, {"aerial", {1, 0, 1.5}, 0.01}}};
+    for (const double noise : {0.01, -0.02}) {
+        PickedPath path{
+            {"aerial", {noise, 0, 1}, 0.01}, {"aerial", {2, 0, 1}, 0.01}, {"aerial", {2, 1, 1}, 0.01}};
+        path[0].fitted = edge({0.001, 0, 1});
+        mark.paths["aerial"].push_back(path);
+        heap.paths["aerial"].push_back(path);
+    }
+    scene.measurements = {mark, heap, height};
+    const MeasuredScene measured = measureScene(scene);
+    const auto find = [&](const std::string& object, const std::string& method) -> const MeasuredLength* {
+        for (const MeasuredLength& row : measured.lengths)
+            if (row.object == object && row.method == method) return &row;
+        return nullptr;
+    };
+    const MeasuredLength* plain = find("Skid mark", "lidar");
+    const MeasuredLength* fitted = find("Skid mark", "lidar fitted");
+    ASSERT_TRUE(plain && fitted && plain->length && fitted->length);
+    EXPECT_NEAR(plain->length->mean_m, 3.005, 1e-12);
+    EXPECT_NEAR(fitted->length->mean_m, 2.999, 1e-12);
+    EXPECT_TRUE(fitted->fitted && !plain->fitted);
+    EXPECT_LT(*fitted->length->expandedUncertainty_m, *plain->length->expandedUncertainty_m);
+    EXPECT_EQ(find("Patch", "lidar fitted"), nullptr) << "an area is no length";
+    // Every length has a row of every method; without features it counts by its points.
+    const MeasuredLength* step = find("Step", "lidar fitted");
+    ASSERT_TRUE(step && step->length);
+    EXPECT_NEAR(step->length->mean_m, 0.5, 1e-12);
+    EXPECT_NE(step->note.find("by the points themselves"), std::string::npos);
+    EXPECT_NEAR(step->b.x(), 1, 1e-12);
+    // Only a path of a length makes the method one of lengths.
+    scene.measurements = {heap};
+    const MeasuredScene patch = measureScene(scene);
+    EXPECT_TRUE(std::none_of(patch.accuracy.begin(), patch.accuracy.end(),
+                             [](const MethodAccuracy& m) { return m.name == "lidar fitted"; }));
+}
+
 TEST(FittedPicks, ObjectsUnderThreeSpotsOfTheBeamAreSmall) {
     SceneState scene = fittedScene();
     scene.measurements.back().tape_m = 0.21;

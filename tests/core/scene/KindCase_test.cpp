@@ -122,6 +122,32 @@ TEST(KindEdits, SettingsPathsAndChecks) {
     EXPECT_FALSE(mark().checkTolerance_m);
 }
 
+TEST(KindEdits, OnePointOfAPathMovesAndComesBack) {
+    Scene scene(test::sampleScene());
+    Measurement mark;
+    mark.object = "Mark";
+    mark.kind = MeasurementKind::polyline;
+    mark.paths["aerial"] = {{{"aerial", {0, 0, 0}, {}, false}, {"aerial", {1, 0, 0}, {}, false}}};
+    ASSERT_TRUE(scene.perform(setMeasurement(mark, "add")));
+    const PickedPoint there{"aerial", {1, 1, 0}, 0.01, false};
+    ASSERT_TRUE(scene.perform(movePathPoint("Mark", "aerial", 0, 1, there)));
+    const auto path = [&]() -> const PickedPath& {
+        return scene.state().measurement("Mark")->paths.at("aerial")[0];
+    };
+    EXPECT_EQ(path()[1], there);
+    EXPECT_EQ(path()[0], mark.paths["aerial"][0][0]);
+    EXPECT_EQ(scene.undoText(), "move pick Mark, repeat 1");
+    scene.undo();
+    EXPECT_EQ(path(), mark.paths["aerial"][0]);
+    scene.redo();
+    EXPECT_EQ(path()[1], there);
+    EXPECT_FALSE(scene.perform(movePathPoint("Mark", "aerial", 0, 1, there))) << "it is there already";
+    EXPECT_FALSE(scene.perform(movePathPoint("Mark", "aerial", 0, 2, there)));
+    EXPECT_FALSE(scene.perform(movePathPoint("Mark", "aerial", 1, 0, there)));
+    EXPECT_FALSE(scene.perform(movePathPoint("Mark", "front", 0, 0, there)));
+    EXPECT_FALSE(scene.perform(movePathPoint("Nothing", "aerial", 0, 0, there)));
+}
+
 TEST(KindEdits, PathsStayOnTheirScanWhenItMoves) {
     SceneState start = sampleScene();
     Measurement mark = yawMark();

@@ -6,6 +6,7 @@
 
 #include "core/base/Random.h"
 #include "core/geometry/PointCloudBuilder.h"
+#include "core/scene/CloudKinds.h"
 #include "core/scene/MeasuredScene.h"
 #include "tests/core/scene/SampleScene.h"
 
@@ -143,6 +144,61 @@ TEST(MeasuredKinds, VolumeAndSectionLookAtTheLoadedCloud) {
     EXPECT_EQ(measured.kinds[1].series.size(), 1U);
     const MeasuredScene again = measureScene(scene);
     EXPECT_EQ(again.kinds[0].quantities.front().mean, measured.kinds[0].quantities.front().mean);
+}
+
+TEST(MeasuredKinds, CrushAgainstTheOutlineOfAnotherScan) {
+    SceneState scene = twoLayers();
+    Measurement front = object("Front", MeasurementKind::crush);
+    front.settings["outline_points"] = 3;
+    PickedPath path{at("aerial", 0, 0, 0.5), at("aerial", 1.8, 0, 0.5), at("aerial", 0, 0.2, 0.5),
+                    at("aerial", 0.9, 0.4, 0.5), at("aerial", 1.8, 0.2, 0.5)};
+    // A whole vehicle of the same make, 6 m away on a scan of its own, bulging by 0.1 m to its front.
+    for (const auto& [x, y] : {std::pair(0.0, 6.0), {0.9, 5.9}, {1.8, 6.0}})
+        path.push_back(at("front", x, y, 0.5));
+    front.paths["aerial"] = {path, path};
+    scene.measurements = {front};
+    const MeasuredScene measured = measureScene(scene);
+    ASSERT_FALSE(measured.kinds[0].quantities.empty()) << measured.kinds[0].note;
+    EXPECT_NEAR(measured.kinds[0].find("c1")->mean, 0.2, 1e-9);
+    // At 0.72 m the damage is 0.36 m deep, and the whole outline 0.08 m out.
+    EXPECT_NEAR(measured.kinds[0].find("c3")->mean, 0.44, 1e-9);
+    const auto& lines = measured.kinds[0].find("c3")->budget.contributions;
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const Contribution& line) {
+        return line.source == "registration of Layer front" && line.part() > 0;
+    }));
+}
+
+TEST(MeasuredKinds, CloudsAreAskedLaterWhereThatIsWanted) {
+    SceneState scene = twoLayers();
+    scene.layers[0].data = flatGround();
+    Measurement heap = object("Heap", MeasurementKind::volume);
+    heap.paths["aerial"] = {
+        {at("aerial", -1.5, -1, 0), at("aerial", 1, -1, 0), at("aerial", 1, 1, 0), at("aerial", -1, 1, 0)}};
+    Measurement box = object("Box", MeasurementKind::distance);
+    box.picks["aerial"] = {{at("aerial", 0, 0, 0), at("aerial", 1, 0, 0)}};
+    scene.measurements = {heap, box};
+    std::vector<KindRepeats> missing;
+    {
+        const CloudKindsLater later;
+        const MeasuredScene first = measureScene(scene);
+        EXPECT_TRUE(first.kinds[0].quantities.empty());
+        EXPECT_EQ(first.kinds[0].note, "being computed from the cloud");
+        EXPECT_FALSE(first.kinds[1].quantities.empty()) << "what asks no cloud is found at once";
+        missing = later.missing();
+        ASSERT_EQ(missing.size(), 1U);
+    }
+    const JobControl stopped;
+    stopped.cancel();
+    const Status none = computeCloudKinds(scene, missing, stopped);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+    ASSERT_TRUE(computeCloudKinds(scene, missing, {}));
+    const CloudKindsLater later;
+    const MeasuredScene second = measureScene(scene);
+    EXPECT_TRUE(later.missing().empty());
+    ASSERT_FALSE(second.kinds[0].quantities.empty());
+    // 4.5 m2 of ground 0.4 m over the plane of the corners.
+    EXPECT_NEAR(second.kinds[0].quantities.front().mean, 0.4 * 4.5, 0.01);
 }
 
 TEST(MeasuredKinds, VolumeBetweenTwoScans) {

@@ -121,6 +121,11 @@ TEST(Steps, TheReportNeedsTapesAndAnOperator) {
     EXPECT_EQ(factsOf(scene, WayStep::report).missing,
               (QStringList{"2 objects without a tape value", "no operator is named", "not written yet"}));
     scene.measurements.resize(1);
+    Measurement patch;
+    patch.object = "Patch";
+    patch.kind = MeasurementKind::area;
+    patch.paths["aerial"].resize(3);
+    scene.measurements.push_back(patch);  // no tape measures an area
     scene.operatorName = "A. Analyst";
     EXPECT_EQ(factsOf(scene, WayStep::report).missing,
               (QStringList{"Length has no tape value", "not written yet"}));

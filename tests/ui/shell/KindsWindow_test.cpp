@@ -229,5 +229,111 @@ TEST_F(KindsWindow, VerifiedIsSaidOnlyOfAKnownDistanceThatAgrees) {
     EXPECT_TRUE(driver->window().findChild<QAction*>("measure.check")->isChecked());
 }
 
+/// Keeps jobs until it is told to run them.
+class HeldJobRunner : public JobRunner {
+  public:
+    bool busy() const override { return !held_.empty(); }
+    void cancel() override { control_.cancel(); }
+    std::size_t held() const { return held_.size(); }
+    bool holds = false;
+
+    void runHeld() {
+        while (!held_.empty()) {
+            const Job job = std::move(held_.front());
+            held_.erase(held_.begin());
+            begin(job);
+        }
+    }
+
+  protected:
+    void enqueue(Job job) override {
+        if (holds)
+            held_.push_back(std::move(job));
+        else
+            begin(job);
+    }
+    void post(std::function<void()> task) override { task(); }
+
+  private:
+    void begin(const Job& job) {
+        emit started(job.title);
+        const auto deliver = job.work(control_);
+        deliver();
+        emit finished(job.title);
+        control_ = JobControl();
+    }
+
+    std::vector<Job> held_;
+    JobControl control_;
+};
+
+class LaterKindsWindow : public KindsWindow {
+  public:
+    LaterKindsWindow() {
+        const auto scans = test::writeSampleScans(folder.path());
+        auto runner = std::make_unique<HeldJobRunner>();
+        jobs = runner.get();
+        driver = std::make_unique<test::WindowDriver>(
+            std::make_unique<MainWindow>(offscreenSurface(), offscreenRenderer(),
+                                         std::make_unique<PdfPrinter>(), nullptr, std::move(runner)));
+        EXPECT_TRUE(driver->window().openFiles({scans.target}));
+        driver->window().showNamedView(NamedView::top);
+        jobs->holds = true;
+        driver->trigger("tool.volume");
+        click({kA, kB, kC, kD});
+        key(Qt::Key_Return);
+        leaveName();
+    }
+    QString note() { return driver->label("figures-note"); }
+
+    HeldJobRunner* jobs = nullptr;
+};
+
+TEST_F(LaterKindsWindow, AVolumeIsComputedByAJobAndThePanelSaysSo) {
+    ASSERT_EQ(driver->scene().measurements.size(), 1u);
+    EXPECT_EQ(jobs->held(), 1u);
+    EXPECT_TRUE(figures().quantities.empty());
+    EXPECT_EQ(note(), "being computed from the cloud");
+    EXPECT_EQ(driver->window().view().description().paths.size(), 1u) << "what was picked is seen meanwhile";
+    jobs->runHeld();
+    ASSERT_FALSE(figures().quantities.empty());
+    EXPECT_EQ(figures().quantities.front().key, "volume");
+    EXPECT_FALSE(note().contains("computed"));
+    EXPECT_EQ(jobs->held(), 0u);
+    driver->trigger("edit.undo");
+    driver->trigger("edit.redo");
+    EXPECT_EQ(jobs->held(), 0u) << "it is remembered";
+}
+
+TEST_F(LaterKindsWindow, WhatWasCancelledIsTakenUpAtTheNextChange) {
+    jobs->cancel();
+    jobs->runHeld();
+    EXPECT_EQ(jobs->held(), 0u);
+    EXPECT_EQ(note(), "not computed; the next change of the case takes it up");
+    jobs->holds = false;
+    click({kA, kB, kC, kD});
+    key(Qt::Key_Return);
+    ASSERT_FALSE(figures().quantities.empty());
+    EXPECT_EQ(figures().quantities.front().repeats.size(), 2u);
+}
+
+TEST_F(KindsWindow, TheTablesOfFiguresAndBudgetsAreWrittenBesideTheMeasurements) {
+    driver->trigger("tool.angle");
+    click({kA, kB, kC});
+    leaveName();
+    driver->answers().csv = QString::fromStdString((folder / "My measurements.csv").string());
+    ASSERT_TRUE(driver->trigger("export.csv"));
+    for (const char* name : {"My measurements.csv", "My quantities.csv", "My uncertainty.csv"})
+        EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    std::ifstream file(folder / "My quantities.csv");
+    std::string header, row;
+    std::getline(file, header);
+    std::getline(file, row);
+    EXPECT_TRUE(row.starts_with("Angle 1,")) << row;
+    driver->answers().csv = QString::fromStdString((folder / "table.csv").string());
+    ASSERT_TRUE(driver->trigger("export.csv"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "table uncertainty.csv"));
+}
+
 }  // namespace
 }  // namespace vestige
