@@ -6,14 +6,15 @@
 namespace vestige {
 namespace {
 
-constexpr std::array<std::pair<SnapMode, std::string_view>, 8> kNames{{{SnapMode::point, "point"},
+constexpr std::array<std::pair<SnapMode, std::string_view>, 9> kNames{{{SnapMode::point, "point"},
                                                                        {SnapMode::plane, "plane"},
                                                                        {SnapMode::edge, "edge"},
                                                                        {SnapMode::corner, "corner"},
                                                                        {SnapMode::highest, "highest"},
                                                                        {SnapMode::lowest, "lowest"},
                                                                        {SnapMode::circle, "circle"},
-                                                                       {SnapMode::centroid, "centroid"}}};
+                                                                       {SnapMode::centroid, "centroid"},
+                                                                       {SnapMode::surface, "surface"}}};
 
 }  // namespace
 

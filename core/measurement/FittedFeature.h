@@ -10,7 +10,7 @@
 namespace vestige {
 
 /// What a pick means: the measured point itself, or a feature fitted to its neighbourhood.
-enum class SnapMode { point, plane, edge, corner, highest, lowest, circle, centroid };
+enum class SnapMode { point, plane, edge, corner, highest, lowest, circle, centroid, surface };
 std::string_view name(SnapMode mode);
 std::optional<SnapMode> snapModeFromName(std::string_view name);
 

@@ -7622,6 +7622,10 @@
         <translation>减小点(&amp;S)</translation>
     </message>
     <message>
+        <source>&amp;Surface seen</source>
+        <translation>所见表面(&amp;S)</translation>
+    </message>
+    <message>
         <source>&amp;Swipe</source>
         <translation>卷帘(&amp;S)</translation>
     </message>
@@ -7708,6 +7712,10 @@
     <message>
         <source>A pick lies on the plane through the points round it.</source>
         <translation>点选位于由其周围各点确定的平面上。</translation>
+    </message>
+    <message>
+        <source>A pick lies where the line of sight meets the surface, the noise of its points averaged out.</source>
+        <translation>点选位于视线与表面相交处，周围各点的噪声已平均掉。</translation>
     </message>
     <message>
         <source>A&amp;rc</source>

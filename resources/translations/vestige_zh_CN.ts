@@ -2382,6 +2382,14 @@ Choose Distance above the view and click the two ends of an object, three times.
         <source>at the centroid</source>
         <translation>取质心</translation>
     </message>
+    <message>
+        <source>surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>on the surface seen</source>
+        <translation>取所见表面</translation>
+    </message>
 </context>
 <context>
     <name>vestige::PickMover</name>

@@ -29,6 +29,8 @@ QString snapText(SnapMode mode) {
             return PickChoices::tr("circle");
         case SnapMode::centroid:
             return PickChoices::tr("centroid");
+        case SnapMode::surface:
+            return PickChoices::tr("surface");
     }
     return {};
 }
@@ -51,6 +53,8 @@ QString snapPhrase(SnapMode mode) {
             return PickChoices::tr("at a circle's centre");
         case SnapMode::centroid:
             return PickChoices::tr("at the centroid");
+        case SnapMode::surface:
+            return PickChoices::tr("on the surface seen");
     }
     return {};
 }

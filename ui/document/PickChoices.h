@@ -43,9 +43,9 @@ class PickChoices : public QObject {
 };
 
 /// Every mode, in the order of the menu.
-inline constexpr SnapMode kSnapModes[] = {SnapMode::point,  SnapMode::plane,   SnapMode::edge,
-                                          SnapMode::corner, SnapMode::highest, SnapMode::lowest,
-                                          SnapMode::circle, SnapMode::centroid};
+inline constexpr SnapMode kSnapModes[] = {SnapMode::point,  SnapMode::plane,    SnapMode::edge,
+                                          SnapMode::corner, SnapMode::highest,  SnapMode::lowest,
+                                          SnapMode::circle, SnapMode::centroid, SnapMode::surface};
 
 /// "edge": of the chooser and the loupe.
 QString snapText(SnapMode mode);

@@ -55,6 +55,7 @@ class FeaturePainter {
             case SnapMode::circle:
                 return circle();
             case SnapMode::centroid:
+            case SnapMode::surface:
                 return cross(9);
         }
     }

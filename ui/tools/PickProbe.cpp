@@ -45,6 +45,7 @@ struct PickProbe::Question {
 
     bool sameAs(const Question& other) const {
         return mode == other.mode && layer == other.layer && point == other.point && octree == other.octree &&
+               request.seed == other.request.seed &&
                same(request.sceneFromLayer, other.request.sceneFromLayer) &&
                same(pointFromShown, other.pointFromShown) &&
                request.viewDirection.dot(other.request.viewDirection) > 1 - 1e-6 &&
@@ -151,9 +152,12 @@ std::shared_ptr<const PickProbe::Question> PickProbe::question(SceneView& view, 
     if (shown.hidden && shown.hidden->size() == asked->octree->cloud().size()) asked->hidden = shown.hidden;
     asked->request.hidden = asked->hidden.get();
     asked->request.sceneFromLayer = shown.worldFromLayer;
+    const ViewRay ray = view.camera().ray({place.position.x() + 0.5, place.position.y() + 0.5});
     asked->request.seed = place.under->world;
-    asked->request.viewDirection =
-        view.camera().ray({place.position.x() + 0.5, place.position.y() + 0.5}).direction;
+    // Of the point hit only how far away it is: the eye is on the cursor.
+    if (place.snap == SnapMode::surface)
+        asked->request.seed = ray.from + ray.direction.dot(place.under->world - ray.from) * ray.direction;
+    asked->request.viewDirection = ray.direction;
     asked->request.sensorNoise_m = sensorNoise_m(layer->role);
     asked->request.radius_m = 0;
     if (view.description().section) asked->request.clips = view.description().section->region();

@@ -43,9 +43,8 @@ struct Likelihood {
     }
 };
 
-}  // namespace
-
-std::optional<EndFit> upperEnd(std::vector<double> values, double noise, double strays) {
+/// Of the values, which it sorts, the upper ones; nothing where these are too few.
+std::optional<Likelihood> likelihoodOf(std::vector<double>& values, double noise, double strays) {
     constexpr std::size_t kLeast = 8;
     if (values.size() < kLeast || !(noise > 0)) return std::nullopt;
     std::sort(values.begin(), values.end());
@@ -55,7 +54,17 @@ std::optional<EndFit> upperEnd(std::vector<double> values, double noise, double 
     const auto first = std::lower_bound(values.begin(), values.end(), cut);
     const std::span<const double> upper(first, values.end());
     if (upper.size() < kLeast) return std::nullopt;
-    const Likelihood likelihood{upper, noise, cut, values.back(), strays};
+    return Likelihood{upper, noise, cut, values.back(), strays};
+}
+
+}  // namespace
+
+std::optional<EndFit> upperEnd(std::vector<double> values, double noise, double strays) {
+    const auto made = likelihoodOf(values, noise, strays);
+    if (!made) return std::nullopt;
+    const Likelihood& likelihood = *made;
+    const std::span<const double> upper = likelihood.values;
+    const double cut = likelihood.cut;
 
     // Nested search: thickness over a grid that is refined, the end by golden section within it.
     const auto bestEnd = [&](double thickness, double& at) {
@@ -106,6 +115,43 @@ std::optional<EndFit> upperEnd(std::vector<double> values, double noise, double 
     const double curvature = (profile(fit.place + h) - 2 * least + profile(fit.place - h)) / (h * h);
     const double floor = noise / std::sqrt(static_cast<double>(upper.size()));
     fit.standardUncertainty = curvature > 0 ? std::clamp(1 / std::sqrt(curvature), floor, 2 * noise) : noise;
+    return fit;
+}
+
+std::optional<EndFit> meanUpperEnd(std::vector<double> values, double noise, double strays) {
+    const auto likelihood = likelihoodOf(values, noise, strays);
+    if (!likelihood) return std::nullopt;
+    constexpr int kThicknesses = 13;
+    constexpr int kPlaces = 61;
+    const double top = values[static_cast<std::size_t>(0.97 * static_cast<double>(values.size() - 1))];
+    struct Case {
+        double place, thickness, misfit;
+    };
+    std::vector<Case> cases;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kThicknesses; ++i) {
+        const double thickness = 0.25 * i * noise;
+        for (int k = 0; k < kPlaces; ++k) {
+            const double place = top + noise * (0.1 * k - 4.5);
+            const double misfit = (*likelihood)(place, thickness) + 0.25 * i;
+            cases.push_back({place, thickness, misfit});
+            least = std::min(least, misfit);
+        }
+    }
+    EndFit fit;
+    double sum = 0;
+    double squares = 0;
+    for (const Case& each : cases) {
+        const double weight = std::exp(least - each.misfit);
+        sum += weight;
+        fit.place += weight * each.place;
+        fit.thickness += weight * each.thickness;
+        squares += weight * (each.place - top) * (each.place - top);
+    }
+    fit.place /= sum;
+    fit.thickness /= sum;
+    fit.standardUncertainty = std::sqrt(squares / sum - (fit.place - top) * (fit.place - top));
+    fit.used = likelihood->values.size();
     return fit;
 }
 

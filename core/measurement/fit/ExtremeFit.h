@@ -19,4 +19,9 @@ struct EndFit {
 /// fewer than 8 values.
 std::optional<EndFit> upperEnd(std::vector<double> values, double noise, double strays = 0.01);
 
+/// The same by the mean over all ends and thicknesses, each weighted by its likelihood, a thickness also by
+/// exp(-thickness / noise): steadier than the most likely one where the values do not tell a thick layer from
+/// a thin one. Its uncertainty is their standard deviation.
+std::optional<EndFit> meanUpperEnd(std::vector<double> values, double noise, double strays = 0.01);
+
 }  // namespace vestige

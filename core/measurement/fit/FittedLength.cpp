@@ -8,6 +8,9 @@ namespace vestige {
 namespace {
 
 constexpr double kParallel = 0.966;  // cosine of 15 degrees
+constexpr double kInPlane = 0.5;
+/// Nobody looks at a cloud with 30 mm of noise from nearer.
+constexpr double kNearestEye_m = 2;
 
 bool isCircle(const FittedEnd& end) {
     return end.feature.mode == SnapMode::circle && end.feature.radius > 0;
@@ -102,6 +105,16 @@ FittedLength fittedLength(const FittedEnd& a, const FittedEnd& b) {
     result.length_m = way.norm();
     const Eigen::Vector3d along =
         result.length_m > 0 ? way / result.length_m : Eigen::Vector3d::UnitX().eval();
+    // Ends pointed at on planes that the length lies in: the same, from an eye whose distance is not known.
+    const double tilt = std::max(std::abs(a.feature.axis.dot(along)), std::abs(b.feature.axis.dot(along)));
+    if (alike && mode == SnapMode::plane && tilt < kInPlane)
+        slope = std::max(a.feature.rms, b.feature.rms) * result.length_m / kNearestEye_m;
+    // What was pointed at may lie before or behind what is seen there, at both ends alike; lines of sight
+    // that part make that a part of the length.
+    if (alike && mode == SnapMode::surface) {
+        const double depth = std::max(a.feature.rms, b.feature.rms);
+        slope = depth * along.dot(a.feature.axis - b.feature.axis);
+    }
     result.variance_m2 = along.dot((from.covariance + to.covariance) * along) + slope * slope;
     return result;
 }

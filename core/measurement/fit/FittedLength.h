@@ -28,6 +28,10 @@ struct FittedLength {
 /// - two edges within 15 degrees of each other: their distance at right angles to both;
 /// - two planes within 15 degrees: their distance along the common normal where the normals are known well
 ///   enough for it, else along the line between the two places (whichever is surer);
+/// - two places on planes that the length lies in: the straight distance, uncertain by what a depth wrong at
+///   both ends by the noise makes of it, seen from 2 m;
+/// - two places on the surface seen: the straight distance; a depth wrong at both ends by the noise makes
+///   it uncertain by as much as the two lines of sight part;
 /// - else the straight distance.
 FittedLength fittedLength(const FittedEnd& a, const FittedEnd& b);
 

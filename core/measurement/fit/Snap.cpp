@@ -7,6 +7,7 @@
 #include "core/measurement/fit/EdgeFit.h"
 #include "core/measurement/fit/PlaneFit.h"
 #include "core/measurement/fit/PointFits.h"
+#include "core/measurement/fit/SurfaceFit.h"
 
 namespace vestige {
 namespace {
@@ -121,9 +122,12 @@ Result<FittedFeature> place(SnapMode mode, const Neighbourhood& near) {
     if (mode == SnapMode::highest) fit = extremeAlong(near, Eigen::Vector3d::UnitZ());
     if (mode == SnapMode::lowest) fit = extremeAlong(near, -Eigen::Vector3d::UnitZ());
     if (mode == SnapMode::centroid) fit = centroidAtSeed(near);
+    if (mode == SnapMode::surface) fit = surfaceAtSeed(near);
     if (!fit) return none(std::string(name(mode)), near);
     FittedFeature feature{.mode = mode};
     feature.position = fit->place;
+    // The line of sight, towards the viewer: what is not known of the depth lies along it.
+    if (mode == SnapMode::surface) feature.axis = -near.view;
     feature.covariance = fit->covariance;
     feature.rms = fit->rms;
     feature.inliers = fit->inliers;
@@ -158,6 +162,7 @@ Result<FittedFeature> fitAt(const Neighbourhood& near, SnapMode mode) {
         case SnapMode::highest:
         case SnapMode::lowest:
         case SnapMode::centroid:
+        case SnapMode::surface:
             break;
     }
     return place(mode, near);

@@ -90,8 +90,10 @@ void addMirror(ModelBuilder& builder, const CarShape& shape, double side) {
         },
         [&](int row, int) { return row == 0 ? Material::mirrorGlass : shape.paint; });
     const Point look(-1, side * 0.2, 0.35);
-    builder.feature("mirror_" + sideName(side) + "_outer", middle + Point(0, side * half, 0), look);
-    builder.feature("mirror_" + sideName(side) + "_inner", middle - Point(0, side * half, 0), look);
+    builder.feature("mirror_" + sideName(side) + "_outer", middle + Point(0, side * half, 0), look,
+                    "surface");
+    builder.feature("mirror_" + sideName(side) + "_inner", middle - Point(0, side * half, 0), look,
+                    "surface");
     builder.part(sideName(side) + " mirror stalk").material(Material::plastic);
     builder.tube({shape.mirrorX + 0.05, side * 0.92 * shape.halfWidth, shape.mirrorZ - 0.09},
                  middle + Point(0.045, -side * 0.55 * half, -0.055), 0.018, 10);
@@ -108,8 +110,8 @@ void addHandle(ModelBuilder& builder, const CarShape& shape, double x, double si
         builder.box({x + end * (half - 0.025), side * (skin + 0.5 * kProud - 0.01), shape.handleZ},
                     {0.03, kProud, 0.022});
     const Point look(0, side, 0.25);
-    builder.feature("handle_" + door + "_front", {x + half, outer, shape.handleZ}, look, "plane");
-    builder.feature("handle_" + door + "_rear", {x - half, outer, shape.handleZ}, look, "plane");
+    builder.feature("handle_" + door + "_front", {x + half, outer, shape.handleZ}, look, "surface");
+    builder.feature("handle_" + door + "_rear", {x - half, outer, shape.handleZ}, look, "surface");
 }
 
 }  // namespace

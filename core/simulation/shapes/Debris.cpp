@@ -57,11 +57,11 @@ SurfaceModel buildTripod(const ParameterSet& parameters, Random&) {
         const Point foot(reach * std::cos(angle), reach * std::sin(angle), 0);
         builder.part("leg " + std::to_string(leg + 1)).material(Material::metal);
         builder.tube(top, foot, 0.015, 0.012, 12);
-        if (leg == 0) builder.feature("foot", foot, {std::cos(spread), 0, std::sin(spread) + 0.4});
+        if (leg == 0) builder.feature("foot", foot, {std::cos(spread), 0, std::sin(spread) + 0.4}, "surface");
     }
     builder.part("head").material(Material::plastic);
     builder.tube(top - Point(0, 0, 0.05), top, 0.035, 16);
-    builder.feature("head", top, {0.3, 0, 1});
+    builder.feature("head", top, {0.3, 0, 1}, "surface");
     return builder.take();
 }
 

@@ -57,9 +57,9 @@ TEST(Picking, EveryKindOfSnapIsChosenByItsActionAndInTurnByN) {
     driver.window().trigger("tool.distance");
     EXPECT_TRUE(chooser->isVisible());
     const std::vector<std::pair<const char*, const char*>> modes{
-        {"snap.point", "point"},   {"snap.plane", "plane"},      {"snap.edge", "edge"},
-        {"snap.corner", "corner"}, {"snap.highest", "highest"},  {"snap.lowest", "lowest"},
-        {"snap.circle", "circle"}, {"snap.centroid", "centroid"}};
+        {"snap.point", "point"},   {"snap.plane", "plane"},       {"snap.edge", "edge"},
+        {"snap.corner", "corner"}, {"snap.highest", "highest"},   {"snap.lowest", "lowest"},
+        {"snap.circle", "circle"}, {"snap.centroid", "centroid"}, {"snap.surface", "surface"}};
     for (const auto& [id, word] : modes) {
         EXPECT_TRUE(driver.window().trigger(id));
         EXPECT_EQ(chooser->text(), QString("Snap: %1").arg(word));
