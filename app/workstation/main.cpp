@@ -16,6 +16,7 @@
 #include "ui/print/PdfPrinter.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/shell/UseLanguage.h"
+#include "ui/shell/WindowPlace.h"
 #include "ui/view/NativeSurface.h"
 #include "ui/view/PictureRenderer.h"
 #include "ui/watch/AnswerWatch.h"
@@ -59,6 +60,7 @@ int showWindow(Language language, QStringList& paths, bool tellStart) {
     QApplication::setWindowIcon(QIcon(":/icons/vestige.svg"));
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     window.keepEdits(std::filesystem::path(data.toStdString()) / "autosave");
+    placeWindow(window);
     window.show();
     if (!paths.isEmpty()) window.open(paths);
     if (tellStart)
@@ -67,6 +69,7 @@ int showWindow(Language language, QStringList& paths, bool tellStart) {
             QCoreApplication::quit();
         });
     const int code = QApplication::exec();
+    keepPlace(window);
     const auto& file = window.document().state().file;
     paths = file.empty() ? QStringList() : QStringList(QString::fromStdString(file.string()));
     return code;

@@ -2,12 +2,14 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QStyle>
 
 #include "core/base/Numbers.h"
 #include "ui/document/Wording.h"
+#include "ui/forms/ParameterHelp.h"
 
 namespace vestige {
 namespace {
@@ -56,8 +58,9 @@ ParameterEditor::ParameterEditor(const ParameterSpec& spec, QWidget* parent) : Q
     QWidget* editor = layout()->itemAt(0)->widget();
     editor->setObjectName(QString::fromStdString(spec.key));
     editor->setAccessibleName(said(spec.label));
-    editor->setAccessibleDescription(said(spec.help));
-    setToolTip(said(spec.help));
+    editor->setAccessibleDescription(parameterHelp(spec));
+    setToolTip(parameterHelp(spec));
+    editor->installEventFilter(this);
     setFocusProxy(editor);
 }
 
@@ -74,11 +77,16 @@ void ParameterEditor::setValue(const ParameterValue& value) {
 }
 
 void ParameterEditor::setProblem(const QString& sentence) {
-    setToolTip(sentence.isEmpty() ? said(spec_.help) : sentence);
+    setToolTip(sentence.isEmpty() ? parameterHelp(spec_) : sentence);
     QWidget* editor = focusProxy();
     editor->setProperty("problem", !sentence.isEmpty());
     editor->style()->unpolish(editor);
     editor->style()->polish(editor);
+}
+
+bool ParameterEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) emit entered();
+    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace vestige

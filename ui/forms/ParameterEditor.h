@@ -24,6 +24,11 @@ class ParameterEditor : public QWidget {
   signals:
     /// The user finished; text as ParameterSet::setFromText takes it.
     void edited(const QString& text);
+    /// The field has the keys now.
+    void entered();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     const ParameterSpec& spec_;

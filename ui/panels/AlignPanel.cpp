@@ -20,8 +20,10 @@ AlignPanel::AlignPanel(Document& document, Selection& selection, Notices& notice
                        const ActionCatalog& actions, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      preprocess_(new ParameterForm(document.state().preprocess.table())),
-      registration_(new ParameterForm(document.state().registration.table())) {
+      preprocess_(new ParameterForm(document.state().preprocess.table(),
+                                    std::vector<std::string>{"filter", "voxel_m"})),
+      registration_(new ParameterForm(document.state().registration.table(),
+                                      std::vector<std::string>{"method", "preset"})) {
     auto* content = new QWidget;
     content->setObjectName("panel-content");
     auto* column = new QVBoxLayout(content);

@@ -82,7 +82,10 @@ CleanPanel::CleanPanel(Document& document, Selection& selection, PointSelection&
 }
 
 ParameterForm* CleanPanel::formFor(ParameterSet& settings, Notices& notices) {
-    auto* form = new ParameterForm(settings.table());
+    // What is drawn by hand needs its settings each time; what is found is found with the defaults.
+    using Keys = std::vector<std::string>;
+    const bool byHand = settings.table().front().key == "side";
+    auto* form = new ParameterForm(settings.table(), byHand ? std::nullopt : std::optional<Keys>(Keys{}));
     form->setValues(settings);
     connect(form, &ParameterForm::edited, this, [&settings](const std::string& key, const auto& value) {
         static_cast<void>(settings.set(key, value));

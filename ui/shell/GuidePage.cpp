@@ -17,16 +17,33 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/document/LanguageSetting.h"
+
 namespace vestige {
 namespace {
 
-/// Where the guide lies: installed, or in the tree that the program was built in. Empty: nowhere.
-QString guideFile() {
+/// Pages in the order in which a reader would want them.
+QStringList fileNames(const QString& page) {
+    QStringList names{page + ".md"};
+    if (storedLanguage() == Language::simplifiedChinese) names.prepend(page + ".zh_CN.md");
+    return names;
+}
+
+/// Where a page lies: installed, or in the tree that the program was built in. Empty: nowhere.
+QString pageFile(const QString& page) {
     const QString program = QCoreApplication::applicationDirPath();
-    for (const char* place : {"/../share/doc/vestige/guide.md", "/../../../docs/guide.md"}) {
-        const QString file = QDir::cleanPath(program + place);
-        if (QFile::exists(file)) return file;
-    }
+    for (const QString& name : fileNames(page))
+        for (const char* place : {"/../share/doc/vestige/", "/../../../docs/"}) {
+            const QString file = QDir::cleanPath(program + place + name);
+            if (QFile::exists(file)) return file;
+        }
+    return {};
+}
+
+/// Of what the program carries.
+QString carriedPage(const QString& page) {
+    for (const QString& name : fileNames(page))
+        if (QFile::exists(":/docs/" + name)) return ":/docs/" + name;
     return {};
 }
 
@@ -77,23 +94,27 @@ QToolButton* arrow(const QString& text, const QString& tip) {
 
 }  // namespace
 
-GuidePage::GuidePage(QWidget* parent)
-    : QWidget(parent), text_(new GuideBrowser), contents_(new QComboBox), search_(new QLineEdit) {
+GuidePage::GuidePage(const QString& page, QWidget* parent)
+    : QWidget(parent),
+      page_(page),
+      text_(new GuideBrowser),
+      contents_(new QComboBox),
+      search_(new QLineEdit) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 10, 0, 0);
     column->setSpacing(8);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 10, 0);
     row->setSpacing(6);
-    contents_->setObjectName("guide-contents");
+    contents_->setObjectName(page + "-contents");
     contents_->setToolTip(tr("Contents"));
-    contents_->setAccessibleName(tr("Contents of the guide"));
+    contents_->setAccessibleName(tr("Contents of the page"));
     contents_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     contents_->setMinimumContentsLength(12);
-    search_->setObjectName("guide-search");
+    search_->setObjectName(page + "-search");
     search_->setPlaceholderText(tr("Search"));
     search_->setToolTip(tr("Return finds the next place, Shift+Return the one before"));
-    search_->setAccessibleName(tr("Search the guide"));
+    search_->setAccessibleName(tr("Search the page"));
     auto* back = arrow(QString::fromUtf8("‹"), tr("Place before"));
     auto* on = arrow(QString::fromUtf8("›"), tr("Next place"));
     row->addWidget(contents_, 1);
@@ -101,8 +122,8 @@ GuidePage::GuidePage(QWidget* parent)
     row->addWidget(back);
     row->addWidget(on);
     column->addLayout(row);
-    text_->setObjectName("guide-text");
-    text_->setAccessibleName(tr("User guide"));
+    text_->setObjectName(page + "-text");
+    text_->setAccessibleName(tr("Documentation"));
     text_->setFrameShape(QFrame::NoFrame);
     text_->setOpenLinks(false);
     column->addWidget(text_, 1);
@@ -120,9 +141,9 @@ GuidePage::GuidePage(QWidget* parent)
 }
 
 void GuidePage::load() {
-    QString place = guideFile();
+    const QString place = pageFile(page_);
     if (!place.isEmpty()) static_cast<GuideBrowser*>(text_)->setFolder(QFileInfo(place).path());
-    QFile file(place.isEmpty() ? QString(":/docs/guide.md") : place);
+    QFile file(place.isEmpty() ? carriedPage(page_) : place);
     if (!file.open(QIODevice::ReadOnly)) return;
     text_->document()->setDocumentMargin(6);
     text_->document()->setMarkdown(QString::fromUtf8(file.readAll()));
@@ -169,17 +190,20 @@ void GuidePage::goTo(int block) {
 }
 
 void GuidePage::follow(const QUrl& link) {
-    if (link.hasFragment() && link.path().isEmpty()) {
-        for (int i = 0; i < contents_->count(); ++i)
-            if (anchorOf(contents_->itemText(i).trimmed()) == link.fragment())
-                return goTo(contents_->itemData(i).toInt());
-        return;
-    }
-    const QString place = guideFile();
+    if (link.hasFragment() && link.path().isEmpty()) return goToAnchor(link.fragment());
+    for (const char* page : {"guide", "tutorial"})
+        if (fileNames(page).contains(link.path())) return emit pageWanted(page, link.fragment());
+    const QString place = pageFile(page_);
     if (link.isRelative() && !place.isEmpty())
         QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(place).path() + "/" + link.path()));
     else if (!link.isRelative())
         QDesktopServices::openUrl(link);
+}
+
+void GuidePage::goToAnchor(const QString& anchor) {
+    for (int i = 0; i < contents_->count(); ++i)
+        if (anchorOf(contents_->itemText(i).trimmed()) == anchor) return goTo(contents_->itemData(i).toInt());
+    text_->verticalScrollBar()->setValue(0);
 }
 
 void GuidePage::search(bool backwards) {

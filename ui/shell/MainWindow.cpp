@@ -195,6 +195,7 @@ MainWindow::MainWindow(const ViewSurfaceFactory& makeSurface, std::unique_ptr<Vi
     connect(&d.sample, &SampleReactions::ready, this, [this](const QString& path) { open({path}); });
     connect(&d.views, &ViewReactions::namedViewWanted, d.presenter.get(), &ScenePresenter::showNamedView);
     d.actions.onTriggered("view.layer", [this] { d_->presenter->showLayer(); });
+    d.actions.onTriggered("view.object", [this] { d_->presenter->showObject(); });
     d.actions.onTriggered("help.about", [this] { showAbout(this); });
     const auto update = [this] {
         d_->actions.update(situationOf(d_->document, d_->selection, *d_->jobs, d_->attempts, d_->preview,

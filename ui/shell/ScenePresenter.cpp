@@ -151,6 +151,20 @@ void ScenePresenter::showLayer() {
     if (!bounds(alone).empty()) view_.setCamera(lookAt(view_.camera(), bounds(alone)));
 }
 
+void ScenePresenter::showObject() {
+    BoundingBox box;
+    const ViewDescription& shown = view_.description();
+    for (const ViewMark& mark : shown.marks)
+        if (mark.highlighted) box.add(mark.a), box.add(mark.b);
+    for (const ViewPath& path : shown.paths)
+        if (path.highlighted)
+            for (const Eigen::Vector3d& point : path.points) box.add(point);
+    if (box.empty()) return;
+    // What the object is part of is to be seen, too.
+    const Eigen::Vector3d room = Eigen::Vector3d::Constant(std::max(0.2, 0.25 * box.diagonal()));
+    showBox({box.min - room, box.max + room});
+}
+
 void ScenePresenter::showBox(const BoundingBox& box) {
     if (!box.empty()) view_.setCamera(lookAt(view_.camera(), box));
 }

@@ -44,6 +44,7 @@ class ScenePresenter : public QObject {
     /// the camera is.
     void showLayer();
     /// Fills the view with a box of the scene, seen from where the camera is.
+    void showObject();
     void showBox(const BoundingBox& box);
     /// Shows again what is selected and hidden.
     void refreshPoints();

@@ -13,7 +13,10 @@
 namespace vestige {
 
 SideDock::SideDock(const ActionCatalog& actions, Shortcuts& shortcuts, QWidget* parent)
-    : QDockWidget(tr("Help"), parent), tabs_(new QTabWidget) {
+    : QDockWidget(tr("Help"), parent),
+      tabs_(new QTabWidget),
+      guide_(new GuidePage("guide")),
+      tutorial_(new GuidePage("tutorial")) {
     setObjectName("side-dock");
     setAccessibleName(tr("Help"));
     setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
@@ -21,7 +24,14 @@ SideDock::SideDock(const ActionCatalog& actions, Shortcuts& shortcuts, QWidget* 
     tabs_->setDocumentMode(true);
     tabs_->setAccessibleName(tr("Help"));
     tabs_->tabBar()->setAccessibleName(tr("Help"));
-    tabs_->addTab(new GuidePage, tr("Guide"));
+    tabs_->addTab(guide_, tr("Guide"));
+    tabs_->addTab(tutorial_, tr("Tutorial"));
+    for (GuidePage* from : {guide_, tutorial_})
+        connect(from, &GuidePage::pageWanted, this, [this](const QString& page, const QString& anchor) {
+            GuidePage* wanted = page == "tutorial" ? tutorial_ : guide_;
+            tabs_->setCurrentWidget(wanted);
+            wanted->goToAnchor(anchor);
+        });
     tabs_->addTab(new ShortcutsPage(actions, shortcuts), tr("Shortcuts"));
     auto* close = new QToolButton;
     close->setText(QString::fromUtf8("×"));
@@ -45,8 +55,12 @@ void SideDock::showGuide() {
     open(0);
 }
 
-void SideDock::showShortcuts() {
+void SideDock::showTutorial() {
     open(1);
+}
+
+void SideDock::showShortcuts() {
+    open(2);
 }
 
 void SideDock::open(int tab) {

@@ -51,15 +51,16 @@ void StartButton::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF whole = QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75);
     const bool over = isEnabled() && (underMouse() || isDown());
+    const bool primary = primary_ && isEnabled();
     const Theme theme = isLight(palette()) ? Theme::light : Theme::dark;
     const QColor accent = styleColor("accent", theme);
     const QColor ground = palette().color(QPalette::Button);
-    painter.setBrush(primary_ ? (over ? styleColor("accent-hover", theme) : accent)
+    painter.setBrush(primary ? (over ? styleColor("accent-hover", theme) : accent)
                               : (over ? styleColor("hover", theme) : ground));
     painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Link), 1.5)
-                              : QPen(primary_ ? accent : palette().color(QPalette::Mid), 1));
+                              : QPen(primary ? accent : palette().color(QPalette::Mid), 1));
     painter.drawRoundedRect(whole, 6, 6);
-    const QIcon::State state = primary_ ? QIcon::On : QIcon::Off;
+    const QIcon::State state = primary ? QIcon::On : QIcon::Off;
     const QRect icon(kMargin, (height() - kIcon) / 2, kIcon, kIcon);
     action_.icon().paint(&painter, icon, Qt::AlignCenter, isEnabled() ? QIcon::Normal : QIcon::Disabled,
                          state);
@@ -67,7 +68,7 @@ void StartButton::paintEvent(QPaintEvent*) {
     const int room = width() - left - kMargin;
     QFont title = font();
     title.setWeight(QFont::DemiBold);
-    const QColor ink = primary_      ? QColor(Qt::white)
+    const QColor ink = primary      ? QColor(Qt::white)
                        : isEnabled() ? palette().color(QPalette::WindowText)
                                      : palette().color(QPalette::Disabled, QPalette::WindowText);
     painter.setPen(ink);
@@ -76,7 +77,7 @@ void StartButton::paintEvent(QPaintEvent*) {
     QFont small = font();
     small.setPixelSize(12);
     painter.setFont(small);
-    painter.setPen(primary_ ? QColor(0xe6, 0xee, 0xfd) : quietColor(palette()));
+    painter.setPen(primary ? QColor(0xe6, 0xee, 0xfd) : quietColor(palette()));
     painter.drawText(QRect(left, 31, room, 20), Qt::AlignLeft | Qt::AlignVCenter,
                      QFontMetrics(small).elidedText(sentence_, Qt::ElideRight, room));
 }

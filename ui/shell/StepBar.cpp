@@ -40,6 +40,12 @@ void StepBar::setShown(WayStep step) {
         buttons_[static_cast<std::size_t>(i)]->setShown(i == static_cast<int>(step));
 }
 
+WayStep StepBar::next() const {
+    auto steps = stepsOf(document_.state(), document_.measured(), outputs_.reported());
+    steps[static_cast<std::size_t>(WayStep::import)].state = StepState::done;
+    return nextStep(steps);
+}
+
 void StepBar::follow() {
     const auto steps = stepsOf(document_.state(), document_.measured(), outputs_.reported());
     for (std::size_t i = 0; i < steps.size(); ++i) buttons_[i]->setFacts(steps[i]);

@@ -18,6 +18,8 @@ class StepBar : public QWidget {
   public:
     StepBar(Document& document, Outputs& outputs, QWidget* parent = nullptr);
     void setShown(WayStep step);
+    /// The first that something is missing of, but for scans that are still being read.
+    WayStep next() const;
 
   signals:
     void chosen(vestige::WayStep step);

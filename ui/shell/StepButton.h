@@ -15,6 +15,7 @@ class StepButton : public QAbstractButton {
     void setFacts(const StepFacts& facts);
     /// The step whose panel is shown.
     void setShown(bool shown);
+    bool isShown() const { return shown_; }
 
     QSize sizeHint() const override;
     /// Without the words, which give way first.

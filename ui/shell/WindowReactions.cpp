@@ -24,6 +24,7 @@ WindowReactions::WindowReactions(QMainWindow& window, const Workbench& bench, Sc
     actions.onTriggered("edit.copy-table", [this] { copyTable(); });
     actions.onToggled("view.full-screen", [this](bool on) { fillScreen(on); });
     actions.onTriggered("help.guide", [this] { dock().showGuide(); });
+    actions.onTriggered("help.tutorial", [this] { dock().showTutorial(); });
     actions.onTriggered("help.shortcuts", [this] { dock().showShortcuts(); });
     actions.onTriggered("help.shortcut-sheet", [this] { saveSheet(); });
 }

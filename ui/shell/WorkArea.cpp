@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "ui/actions/ActionCatalog.h"
 #include "ui/actions/reactions/CleaningReactions.h"
@@ -77,7 +78,10 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     connect(steps_, &StepBar::chosen, tabs_, &StepTabs::showStep);
     connect(tabs_, &StepTabs::stepShown, steps_, &StepBar::setShown);
     steps_->setShown(WayStep::measure);
-    connect(&bench_.document, &Document::replaced, this, [this] { begun_ = false; });
+    connect(&bench_.document, &Document::replaced, this, [this] {
+        begun_ = false;
+        arriving_ = !bench_.document.state().layers.empty();
+    });
     connect(&bench_.document, &Document::changed, this, [this] { follow(); });
     connect(&bench_.actions["file.new"], &QAction::triggered, this, [this] {
         begun_ = bench_.document.state().layers.empty();
@@ -104,6 +108,12 @@ void WorkArea::showLeft() {
 void WorkArea::follow() {
     const SceneState& scene = bench_.document.state();
     const bool empty = scene.layers.empty();
+    // A case opens at what is to be done next.
+    if (arriving_ && std::any_of(scene.layers.begin(), scene.layers.end(),
+                                 [](const Layer& layer) { return layer.data != nullptr; })) {
+        arriving_ = false;
+        tabs_->showStep(steps_->next());
+    }
     begun_ = begun_ || !empty || bench_.document.canUndo() || bench_.document.canRedo() ||
              !scene.file.empty() || !scene.measurements.empty();
     viewArea_->showWelcome(empty);
@@ -195,13 +205,12 @@ QWidget* WorkArea::makeRight() {
         tabs_->showStep(WayStep::measure);
         table->editName(object);
     });
-    column->addWidget(new BudgetPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions), 1);
     accuracy_ = new AccuracyPanel(bench_.document, bench_.selection);
     column->addWidget(accuracy_);
     auto* tabs = new StepTabs;
     tabs_ = tabs;
     tabs->setObjectName("right");
-    tabs->addPanel(WayStep::measure, measure, tr("Measure"));
+    tabs->addPanel(WayStep::measure, measure, tr("Measurements"));
     tabs->addPanel(WayStep::align,
                    new AlignPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions),
                    tr("Registration"));
@@ -218,11 +227,15 @@ QWidget* WorkArea::makeRight() {
                    tr("Clean"));
     auto* report = new ReportPanel(bench_.document, bench_.notices, bench_.outputs, bench_.actions);
     tabs->addPanel(WayStep::report, report, tr("Report"));
+    tabs->addPanel(WayStep::measure,
+                   new BudgetPanel(bench_.document, bench_.selection, bench_.notices, bench_.actions),
+                   tr("Selected object"));
     connect(report, &ReportPanel::stepWanted, tabs, &StepTabs::showStep);
     tabs->setMinimumWidth(kRight_px);
-    for (const auto& [id, index] : {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),
-                                    std::pair("view.panel-fit", 2), std::pair("view.panel-import", 3),
-                                    std::pair("view.panel-clean", 4), std::pair("view.panel-report", 5)})
+    for (const auto& [id, index] :
+         {std::pair("view.panel-measure", 0), std::pair("view.panel-align", 1),
+          std::pair("view.panel-fit", 2), std::pair("view.panel-import", 3), std::pair("view.panel-clean", 4),
+          std::pair("view.panel-report", 5), std::pair("view.panel-object", 6)})
         bench_.actions.onTriggered(id, [tabs, index = index] { tabs->setCurrentIndex(index); });
     return tabs;
 }

@@ -62,7 +62,8 @@ class WorkArea : public QWidget {
     QWidget* left_ = nullptr;
     QWidget* strip_ = nullptr;
     QStackedWidget* empty_ = nullptr;
-    bool begun_ = false;  ///< a case, though it may be empty yet
+    bool begun_ = false;     ///< a case, though it may be empty yet
+    bool arriving_ = false;  ///< a case was opened, and none of its scans is there yet
     ViewArea* viewArea_ = nullptr;
     ViewsPanel* viewsPanel_ = nullptr;
     PartsPanel* parts_ = nullptr;

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTest>
+#include <QToolButton>
 
 namespace vestige {
 namespace {
@@ -90,6 +93,38 @@ TEST(ParameterForm, WhatIsNotAllowedIsRefusedWithItsRange) {
     type(voxel, "1");
     EXPECT_TRUE(edited);
     EXPECT_FALSE(voxel.property("problem").toBool());
+}
+
+TEST(ParameterForm, WhatIsNotFirstIsFoldedAwayAndSaysWhetherItWasChanged) {
+    ParameterForm form(sample(), std::vector<std::string>{"method"});
+    form.show();
+    auto& more = *form.findChild<QToolButton*>("more-parameters");
+    auto& voxel = *form.findChild<QLineEdit*>("voxel_m");
+    EXPECT_TRUE(form.findChild<QComboBox*>("method")->isVisible());
+    EXPECT_FALSE(voxel.isVisible());
+    EXPECT_EQ(more.text(), "2 more, all at their defaults");
+    QTest::mouseClick(&more, Qt::LeftButton);
+    EXPECT_TRUE(voxel.isVisible());
+    type(voxel, "0.25");
+    EXPECT_EQ(more.text(), "2 more, 1 changed");
+    QTest::mouseClick(&more, Qt::LeftButton);
+    EXPECT_FALSE(voxel.isVisible());
+}
+
+TEST(ParameterForm, TheFieldThatHasTheKeysIsExplained) {
+    ParameterForm form(sample());
+    form.show();
+    QApplication::setActiveWindow(&form);
+    const auto explained = [&] {
+        QString text;
+        for (const QLabel* label : form.findChildren<QLabel*>())
+            if (label->isVisible() && label->wordWrap()) text += label->text();
+        return text;
+    };
+    form.findChild<QLineEdit*>("voxel_m")->setFocus();
+    EXPECT_EQ(explained(), "Cell size. Range: 0.01 to 10 m; default: automatic.");
+    form.findChild<QCheckBox*>("thin")->setFocus();
+    EXPECT_EQ(explained(), "Whether. Default: off.");
 }
 
 }  // namespace

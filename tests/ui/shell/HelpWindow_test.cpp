@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
 
@@ -43,6 +44,22 @@ TEST_F(HelpWindow, F1ShowsTheGuideInTheWindow) {
     EXPECT_EQ(text.textCursor().selectedText().toLower(), "checkerboard");
     QTest::keyClick(&text, Qt::Key_Escape);
     EXPECT_FALSE(text.isVisible());
+}
+
+TEST_F(HelpWindow, TheTutorialLeadsThroughTheStepsAndItsLinksToTheGuide) {
+    startLoaded();
+    ASSERT_TRUE(driver->trigger("help.tutorial"));
+    auto& text = widget<QTextBrowser>("tutorial-text");
+    ASSERT_TRUE(text.isVisible());
+    const QString words = text.toPlainText();
+    for (const char* step : {"Import", "Align", "Clean", "Measure", "Report"})
+        EXPECT_TRUE(words.contains(step)) << step;
+    emit text.anchorClicked(QUrl("guide.md#picking"));
+    QApplication::processEvents();
+    EXPECT_FALSE(text.isVisible());
+    auto& guide = widget<QTextBrowser>("guide-text");
+    ASSERT_TRUE(guide.isVisible());
+    EXPECT_EQ(guide.textCursor().block().text(), "Picking");
 }
 
 TEST_F(HelpWindow, ShortcutsAreChangedThereAndConflictsSaidAtOnce) {

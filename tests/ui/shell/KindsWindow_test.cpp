@@ -152,6 +152,7 @@ TEST_F(KindsWindow, FiguresUnfoldIntoTheirBudget) {
         click({kA, kB, kC});
         leaveName();
     }
+    ASSERT_TRUE(driver->trigger("view.panel-object"));
     auto* tree = driver->window().findChild<QTreeWidget*>("figures");
     ASSERT_TRUE(tree && tree->isVisible());
     ASSERT_EQ(tree->topLevelItemCount(), 2);
@@ -164,6 +165,7 @@ TEST_F(KindsWindow, FiguresUnfoldIntoTheirBudget) {
     click({kA, kB, kC});
     EXPECT_TRUE(tree->topLevelItem(0)->isExpanded()) << "stays unfolded when a repeat comes";
     // What the reference is, typed where a tape would be.
+    ASSERT_TRUE(driver->trigger("view.panel-measure"));
     driver->typeInto(0, 1, "80");
     EXPECT_EQ(last().settings.at("reference_deg"), 80);
     EXPECT_NEAR(figures().quantities.front().relativeError.value_or(0), 0.125, 0.02);
@@ -174,6 +176,7 @@ TEST_F(KindsWindow, TheKindAndItsParametersAreChangedInPlace) {
     click({ground(2, 2), ground(3, 0), ground(3, -2), ground(2.5, -3)});
     key(Qt::Key_Return);
     leaveName();
+    ASSERT_TRUE(driver->trigger("view.panel-object"));
     auto* kinds = driver->window().findChild<QComboBox*>("kind");
     ASSERT_TRUE(kinds && kinds->isVisible());
     const int arc = kinds->findText("Arc (yaw mark)");

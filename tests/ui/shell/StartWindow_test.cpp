@@ -1,7 +1,9 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTreeWidget>
 #include <fstream>
 
@@ -11,6 +13,8 @@
 #include "ui/document/RecentFiles.h"
 #include "ui/document/SampleCase.h"
 #include "ui/shell/StepButton.h"
+#include "ui/shell/WindowPlace.h"
+#include "ui/view/SceneView.h"
 
 namespace vestige {
 namespace {
@@ -145,6 +149,54 @@ TEST_F(StartWindow, TheReportPanelTakesTheCasesDetailsAndListsWhatWasWritten) {
     auto& outputs = widget<QTreeWidget>("outputs");
     ASSERT_EQ(outputs.topLevelItemCount(), 1);
     EXPECT_EQ(outputs.topLevelItem(0)->text(0), "lengths.csv");
+}
+
+TEST_F(StartWindow, ACaseOpensAtWhatIsToBeDoneNext) {
+    startLoaded();
+    driver->answers().casePath = path("night.vestige");
+    ASSERT_TRUE(driver->trigger("file.save-as"));
+    const auto shown = [&](WayStep which) { return step(which).isShown(); };
+    start();
+    ASSERT_TRUE(driver->window().openCase(path("night.vestige").toStdString()));
+    EXPECT_TRUE(shown(WayStep::align));
+    ASSERT_TRUE(driver->trigger("register.run"));
+    ASSERT_TRUE(driver->trigger("file.save"));
+    start();
+    ASSERT_TRUE(driver->window().openCase(path("night.vestige").toStdString()));
+    EXPECT_TRUE(shown(WayStep::measure));
+}
+
+TEST_F(StartWindow, TheViewGoesToTheSelectedObject) {
+    startLoaded();
+    ASSERT_TRUE(driver->trigger("register.run"));
+    pickBox(3);
+    ASSERT_EQ(driver->scene().measurements.size(), 1u);
+    widget<QTableView>("measurements").selectRow(0);
+    ASSERT_TRUE(driver->trigger("view.top"));
+    const ViewCamera far = driver->window().view().camera();
+    ASSERT_TRUE(driver->trigger("view.object"));
+    const ViewCamera near = driver->window().view().camera();
+    const auto middle = near.project(0.5 * (test::kBoxCorner + test::kBoxCornerAlongX));
+    ASSERT_TRUE(middle);
+    EXPECT_LT((near.position - near.focalPoint).norm(), (far.position - far.focalPoint).norm());
+    EXPECT_NEAR(middle->pixel.x(), 0.5 * near.width_px, 0.05 * near.width_px);
+    EXPECT_NEAR(middle->pixel.y(), 0.5 * near.height_px, 0.05 * near.height_px);
+}
+
+TEST_F(StartWindow, ASmallScreenIsFilledAndTheWindowComesBackWhereItWas) {
+    start();
+    QMainWindow& window = driver->window();
+    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+    window.resize(screen.width() + 200, 700);
+    placeWindow(window);
+    EXPECT_TRUE(window.isMaximized());
+    window.showNormal();
+    window.setGeometry(20, 30, 1300, 700);
+    keepPlace(window);
+    start();
+    placeWindow(driver->window());
+    EXPECT_EQ(driver->window().width(), 1300);
+    EXPECT_FALSE(driver->window().isMaximized());
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "core/base/ParameterSpec.h"
+
+namespace vestige {
+
+/// What a parameter means, from where to where it goes, and what it is when nobody sets it, in the language
+/// of the window: "Edge of the smallest cells. 0.01 to 10 m, automatic by default."
+QString parameterHelp(const ParameterSpec& spec);
+
+}  // namespace vestige
