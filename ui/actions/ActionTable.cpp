@@ -264,7 +264,7 @@ const std::vector<ActionSpec>& actionTable() {
         {"view.layer", "&View", "Look at the la&yer",
          "Fill the view with the selected layer, else with the one whose registration is described.", "focus",
          "Z", [](const Situation& s) { return s.layerSelected || s.registered > 0 || s.refused; }},
-        {"view.object", "&View", "Look at the objec&t",
+        {"view.object", "&View", "Look at the ob&ject",
          "Fill the view with what was measured of the selected object.", "look-object", "Shift+Z",
          withObject},
         {"view.parallel", "&View", "&Orthographic",
