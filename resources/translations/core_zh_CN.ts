@@ -7642,6 +7642,10 @@
         <translation>俯视(&amp;T)</translation>
     </message>
     <message>
+        <source>&amp;Tutorial</source>
+        <translation>教程(&amp;T)</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>撤销(&amp;U)</translation>
     </message>
@@ -7990,6 +7994,10 @@
         <translation>使所选图层充满视图，否则使所述配准的图层充满视图。</translation>
     </message>
     <message>
+        <source>Fill the view with what was measured of the selected object.</source>
+        <translation>让视图充满所选对象的测量部位。</translation>
+    </message>
+    <message>
         <source>Find &amp;ground</source>
         <translation>查找地面(&amp;G)</translation>
     </message>
@@ -8016,6 +8024,10 @@
     <message>
         <source>From above, from the front, from the left, and the view there was; a click makes one active.</source>
         <translation>俯视、前视、左视和原有视图；单击其一使其成为活动视图。</translation>
+    </message>
+    <message>
+        <source>From scans to a report in ten minutes, on the sample case.</source>
+        <translation>用示例案件在十分钟内从扫描做到报告。</translation>
     </message>
     <message>
         <source>Go back to the case as it was saved.</source>
@@ -8092,6 +8104,10 @@
     <message>
         <source>Look at the la&amp;yer</source>
         <translation>查看图层(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Look at the ob&amp;ject</source>
+        <translation>查看对象(&amp;J)</translation>
     </message>
     <message>
         <source>Make layer the &amp;target</source>
@@ -8278,6 +8294,10 @@
         <translation>选择已显示而未选择的点。</translation>
     </message>
     <message>
+        <source>Selected ob&amp;ject</source>
+        <translation>所选对象(&amp;J)</translation>
+    </message>
+    <message>
         <source>Shade edges so that shapes stand out.</source>
         <translation>加深边缘阴影，使形体突出。</translation>
     </message>
@@ -8432,6 +8452,10 @@
     <message>
         <source>The files of the case and what they are.</source>
         <translation>案件的文件及其标识。</translation>
+    </message>
+    <message>
+        <source>The kind of the selected object, its figures and what their uncertainty is made of.</source>
+        <translation>所选对象的类型、数值及其不确定度的构成。</translation>
     </message>
     <message>
         <source>The other layers are registered to this one.</source>

@@ -2,6 +2,41 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
+    <name>ParameterHelp</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Range: %1; default: %2.</source>
+        <translation>范围：%1；默认：%2。</translation>
+    </message>
+    <message>
+        <source>Default: %1.</source>
+        <translation>默认：%1。</translation>
+    </message>
+</context>
+<context>
     <name>PointClass</name>
     <message>
         <source>never classified</source>
@@ -1755,20 +1790,12 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <translation>目录</translation>
     </message>
     <message>
-        <source>Contents of the guide</source>
-        <translation>指南目录</translation>
-    </message>
-    <message>
         <source>Search</source>
         <translation>搜索</translation>
     </message>
     <message>
         <source>Return finds the next place, Shift+Return the one before</source>
         <translation>回车键查找下一处，Shift+回车键查找上一处</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>搜索指南</translation>
     </message>
     <message>
         <source>Place before</source>
@@ -1779,8 +1806,16 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <translation>下一处</translation>
     </message>
     <message>
-        <source>User guide</source>
-        <translation>用户指南</translation>
+        <source>Contents of the page</source>
+        <translation>本页目录</translation>
+    </message>
+    <message>
+        <source>Search the page</source>
+        <translation>在本页中搜索</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>文档</translation>
     </message>
 </context>
 <context>
@@ -2212,6 +2247,29 @@ Choose Distance above the view and click the two ends of an object, three times.
     <message>
         <source>automatic</source>
         <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>vestige::ParameterForm</name>
+    <message>
+        <source>Show or hide what an expert may want to change</source>
+        <translation>显示或隐藏专家可能要修改的参数</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 项</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 个参数</translation>
+    </message>
+    <message>
+        <source>%1, all at their defaults</source>
+        <translation>%1，均为默认值</translation>
+    </message>
+    <message>
+        <source>%1, %2 changed</source>
+        <translation>%1，已修改 %2 项</translation>
     </message>
 </context>
 <context>
@@ -2808,6 +2866,10 @@ Choose Distance above the view and click the two ends of an object, three times.
         <source>Close help</source>
         <translation>关闭帮助</translation>
     </message>
+    <message>
+        <source>Tutorial</source>
+        <translation>教程</translation>
+    </message>
 </context>
 <context>
     <name>vestige::SnapButton</name>
@@ -3093,10 +3155,6 @@ Choose Distance above the view and click the two ends of an object, three times.
 <context>
     <name>vestige::WorkArea</name>
     <message>
-        <source>Measure</source>
-        <translation>测量</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>吻合</translation>
     </message>
@@ -3115,6 +3173,14 @@ Choose Distance above the view and click the two ends of an object, three times.
     <message>
         <source>Report</source>
         <translation>报告</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Selected object</source>
+        <translation>所选对象</translation>
     </message>
 </context>
 </TS>

@@ -73,7 +73,7 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 3);
     splitter->setStretchFactor(2, 1);
-    splitter->setSizes({228, 754, 416});
+    splitter->setSizes({246, 738, 416});
     column->addWidget(splitter, 1);
     connect(steps_, &StepBar::chosen, tabs_, &StepTabs::showStep);
     connect(tabs_, &StepTabs::stepShown, steps_, &StepBar::setShown);

@@ -184,7 +184,7 @@ std::optional<ColorScale> colorScale(const ViewDescription& view) {
 std::size_t targetLayer(const ViewDescription& view) {
     const auto flagged = std::find_if(view.layers.begin(), view.layers.end(),
                                       [](const ViewLayer& layer) { return layer.isTarget; });
-    return flagged == view.layers.end() ? 0 : static_cast<std::size_t>(flagged - view.layers.begin());
+    return static_cast<std::size_t>(flagged - view.layers.begin());
 }
 
 Rgb layerTint(const ViewDescription& view, std::size_t layer) {

@@ -47,7 +47,7 @@ Rgb selectionColor(Theme theme);
 /// shows.
 std::optional<ColorScale> colorScale(const ViewDescription& view);
 
-/// What the others are registered to: the layer that says so, else the first.
+/// What the others are registered to: the layer that says so; the number of layers where it is not shown.
 std::size_t targetLayer(const ViewDescription& view);
 
 /// Tint that a layer has in this description: its own, or that of source and target in the overlay
