@@ -283,6 +283,7 @@ class LaterKindsWindow : public KindsWindow {
         click({kA, kB, kC, kD});
         key(Qt::Key_Return);
         leaveName();
+        driver->trigger("view.panel-object");
     }
     QString note() { return driver->label("figures-note"); }
 
