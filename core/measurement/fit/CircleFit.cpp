@@ -15,6 +15,8 @@ namespace vestige {
 namespace {
 
 constexpr std::size_t kSectors = 24;
+/// More points than these no longer make a circle better than its own roundness, but a click slower.
+constexpr std::size_t kMostPoints = 12000;
 
 struct Ring {
     Eigen::Vector3d parameters = Eigen::Vector3d::Zero();  ///< centre x, y, radius
@@ -137,9 +139,21 @@ std::optional<Ring> bestRing(const std::vector<Eigen::Vector2d>& points, double 
     return best;
 }
 
+/// Every k-th of the points, where they are many.
+Neighbourhood thinned(const Neighbourhood& near) {
+    const std::size_t step = (near.points.size() + kMostPoints - 1) / kMostPoints;
+    if (step <= 1) return near;
+    Neighbourhood part = near;
+    part.points.clear();
+    for (std::size_t i = 0; i < near.points.size(); i += step) part.points.push_back(near.points[i]);
+    part.spacing_m *= std::sqrt(static_cast<double>(step));
+    return part;
+}
+
 }  // namespace
 
-std::optional<CircleFit> circleAtSeed(const Neighbourhood& near) {
+std::optional<CircleFit> circleAtSeed(const Neighbourhood& all) {
+    const Neighbourhood near = thinned(all);
     const auto plane = planeAtSeed(near);
     if (!plane) return std::nullopt;
     const double noise = std::max(near.noise_m, 0.05 * near.spacing_m);
