@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the tutorial and of the guide anew, from the sample case: docs/images/make.sh [CASE]
+# Makes the pictures of the tutorial and of README anew, from the sample case: docs/images/make.sh [CASE]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -21,6 +21,3 @@ window tutorial-clean "$case" --action register.run --action clean.objects --act
 window tutorial-measure "$hand" --action register.run --object "Right door handle" --action view.panel-measure --action view.object --action tool.distance
 window tutorial-report "$case" --action register.run --action view.panel-report
 window window "$case" --action register.run --action view.panel-measure
-window fit "$case" --action register.run --action view.layer --action register.residual --action view.panel-fit
-window watch "$case" --action register.watch --action register.run --action view.panel-fit
-window checkerboard "$case" --action register.run --action view.layer --action compare.checkerboard
