@@ -5553,7 +5553,7 @@
     </message>
     <message>
         <source>A known distance (a scale bar, or a distance taped at the scene) is measured in the cloud like every other object. It passes when the difference is not larger than the tolerance set for it; only then is the word “verified” used.</source>
-        <translation>已知距离（标尺，或在现场用卷尺量得的距离）与其他对象一样在点云中测量。差值不大于为其设定的允差时即为通过；只有这样才使用“已核验”一词。</translation>
+        <translation>已知距离（标尺，或在现场用卷尺量得的距离）与其他对象一样在点云中测量。差值不大于为其设定的允差时即为通过；只有这样才使用“已校核”一词。</translation>
     </message>
     <message>
         <source>A length is the straight distance between two points that were picked in the cloud. Each was picked several times anew; the mean of the repeats is the result. Repeat SD is the standard deviation of the repeats. U 95 % is the expanded uncertainty: with a probability of 95 % the true length lies within the mean plus or minus U (how it is found stands under “Uncertainty of the figures”). RE is the relative error against the tape.</source>
@@ -6265,7 +6265,7 @@
     </message>
     <message>
         <source>The scale of what %1 measured is verified: it agrees with the known distance at the scene within the tolerance set for it.</source>
-        <translation>由%1测得的结果，其比例已核验：与现场的已知距离相符，差值在为其设定的允差之内。</translation>
+        <translation>由%1测得的结果，其比例已校核：与现场的已知距离相符，差值在为其设定的允差之内。</translation>
     </message>
     <message>
         <source>The scan “%1” was fitted to the global cloud; %2 of its points found a counterpart, at a root mean square distance of %3 mm.</source>
@@ -7527,7 +7527,7 @@
     </message>
     <message>
         <source>&amp;Make object</source>
-        <translation>生成物体(&amp;M)</translation>
+        <translation>设为物体(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
