@@ -5,7 +5,10 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 case=${1:-$root/build/sample/case.json}
 hand=$(dirname "$case")/case-hand.json
-trap 'rm -f "$hand"' EXIT
+# Settings of nobody: no recent files, dark, English.
+XDG_CONFIG_HOME=$(mktemp -d)
+export XDG_CONFIG_HOME
+trap 'rm -rf "$hand" "$XDG_CONFIG_HOME"' EXIT
 # The handheld scan alone, as the tutorial asks for.
 python3 - "$case" "$hand" <<'PYTHON'
 import json, sys

@@ -11,6 +11,7 @@ FiguresRow::FiguresRow(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
 }
 
 void FiguresRow::setFigures(const std::vector<Figure>& figures, const QString& role) {
+    cells_.clear();
     while (QLayoutItem* item = row_->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -29,10 +30,26 @@ void FiguresRow::setFigures(const std::vector<Figure>& figures, const QString& r
         column->addWidget(value);
         column->addWidget(caption);
         row_->addWidget(cell);
+        cells_.push_back(cell);
         said << figure.value + " " + figure.caption;
     }
     row_->addStretch(1);
     setAccessibleDescription(said.join("; "));
+    showWhatFits();
+}
+
+void FiguresRow::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showWhatFits();
+}
+
+void FiguresRow::showWhatFits() {
+    const QMargins margins = row_->contentsMargins();
+    int used = margins.left() + margins.right() - row_->spacing();
+    for (QWidget* cell : cells_) {
+        used += row_->spacing() + cell->sizeHint().width();
+        cell->setVisible(cell == cells_.front() || used <= width());
+    }
 }
 
 }  // namespace vestige

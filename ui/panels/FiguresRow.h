@@ -8,7 +8,8 @@ class QHBoxLayout;
 
 namespace vestige {
 
-/// Figures side by side: a large value and below it, small, what it is.
+/// Figures side by side: a large value and below it, small, what it is. Where there is no room for all of
+/// them the last ones are left out, whole.
 class FiguresRow : public QWidget {
     Q_OBJECT
 
@@ -24,8 +25,14 @@ class FiguresRow : public QWidget {
     /// Values and captions, for tests and screen readers.
     QString text() const { return accessibleDescription(); }
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void showWhatFits();
+
     QHBoxLayout* row_;
+    std::vector<QWidget*> cells_;
 };
 
 }  // namespace vestige

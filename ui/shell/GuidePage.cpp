@@ -17,7 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/document/LanguageSetting.h"
+#include "core/base/Translation.h"
 
 namespace vestige {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 /// Pages in the order in which a reader would want them.
 QStringList fileNames(const QString& page) {
     QStringList names{page + ".md"};
-    if (storedLanguage() == Language::simplifiedChinese) names.prepend(page + ".zh_CN.md");
+    if (language() == Language::simplifiedChinese) names.prepend(page + ".zh_CN.md");
     return names;
 }
 
@@ -48,7 +48,7 @@ QString carriedPage(const QString& page) {
 }
 
 /// As wide as pictures are shown.
-constexpr int kPictures = 390;
+constexpr int kPictures = 312;
 
 class GuideBrowser : public QTextBrowser {
   public:
