@@ -316,6 +316,11 @@ Run declareScreenshot(CLI::App& command) {
     CLI::Option* window =
         command.add_flag("--window", options->window,
                          "The whole desktop window with the inputs opened, not the 3D view alone.");
+    // The window shows what its own actions ask for.
+    for (const char* own :
+         {"--projection", "--saved-view", "--section", "--section-invert", "--scale", "--dpi", "--color",
+          "--map", "--range", "--grid", "--north", "--transparent", "--size-by-distance", "--point-size"})
+        window->excludes(command.get_option(own));
     command
         .add_option("--pixel-ratio", options->pixelRatio,
                     "With --window: pixels of the picture for each of the window, as on a screen of high "

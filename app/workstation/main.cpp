@@ -51,6 +51,12 @@ bool asksOnlyForWords(int argc, char** argv) {
     });
 }
 
+/// A sentence of ours where Qt would end the program.
+bool hasDisplay() {
+    const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+}
+
 /// Until it is closed, or stands where only the time of its start is asked. What is open then stands in
 /// `paths` when it is to open again in another language.
 int showWindow(Language language, QStringList& paths, bool tellStart) {
@@ -84,6 +90,11 @@ int run(int argc, char** argv) {
     if (asksOnlyForWords(argc, argv)) {
         const QCoreApplication words(argc, argv);
         parser.process(words);
+    }
+    if (!hasDisplay()) {
+        std::cerr << "vestige: there is no display to open a window on; vestige-cli does the same work "
+                     "without one\n";
+        return 3;
     }
     // Screens of any density: everything is drawn at its own resolution, in steps as fine as the desktop's.
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);

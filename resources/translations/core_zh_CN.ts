@@ -6851,6 +6851,10 @@
         <translation>应为大于 0 的米数，不超过 1e7</translation>
     </message>
     <message>
+        <source>expected metres of the scene; a list in shifted coordinates needs its shift added first</source>
+        <translation>应为场景坐标，单位米；经平移的坐标须先加回平移量</translation>
+    </message>
+    <message>
         <source>expected names that differ</source>
         <translation>各名称应不相同</translation>
     </message>
@@ -7217,6 +7221,10 @@
     <message>
         <source>the point is farther from 0 than any place on Earth</source>
         <translation>该点到 0 的距离超过地球上任何地点</translation>
+    </message>
+    <message>
+        <source>the point lies far away from everything in layer '%1'</source>
+        <translation>该点远离图层“%1”中的一切</translation>
     </message>
     <message>
         <source>the points taken out of layer '%1'</source>

@@ -2083,6 +2083,10 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>What is found is drawn before the click. N: the next kind of snap.</source>
         <translation>单击之前即画出所找到的特征。N 键：切换到下一种捕捉。</translation>
     </message>
+    <message>
+        <source>that is the first end: click the other one</source>
+        <translation>这就是第一个端点：请单击另一个端点</translation>
+    </message>
 </context>
 <context>
     <name>vestige::MeasurementsModel</name>

@@ -172,6 +172,10 @@ class Screenshot(unittest.TestCase):
         cli("screenshot", self.folder / "none.las", "--out", self.folder / "n.png", "--window", code=3)
         cli("screenshot", self.site, "--out", self.site / "w.png", "--window", code=5)
 
+    def test_what_the_window_would_not_show_is_refused(self):
+        for own in (["--section", "0,0,0,1,1,1"], ["--scale", "100", "--view", "top"], ["--color", "height"]):
+            cli("screenshot", self.site, "--out", self.folder / "n.png", "--window", *own, code=2)
+
     def block(self):
         """Corners of a box of 4 x 2 x 1 m, in a colour that nothing else has, and grey points between them."""
         corners = [(483404 + x, 4375665 + y, 35 + z) for x in (0, 4) for y in (0, 2) for z in (0, 1)]

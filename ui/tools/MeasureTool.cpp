@@ -142,6 +142,11 @@ void MeasureTool::take(const ProbedPlace& place) {
         aids_.feedback.show(*view_, place);
         return tellHint();
     }
+    if (first_ && first_->place() == place.pick->place()) {
+        completing_ = false;
+        problem_ = tr("that is the first end: click the other one");
+        return tellHint();
+    }
     if (first_)
         complete(*place.pick);
     else

@@ -21,6 +21,7 @@
 #include "ui/view/PointColors.h"
 #include "ui/view/PointProp.h"
 #include "ui/view/PointStore.h"
+#include "ui/view/SampledRange.h"
 #include "ui/view/ViewTheme.h"
 #include "ui/view/VtkCamera.h"
 
@@ -47,6 +48,8 @@ bool byHeight(const ViewDescription& view) {
 }
 
 /// Moved in the display frame, points keep their digits while they are this near to its origin, metres.
+/// A scene wider than this has strays.
+constexpr double kWidest_m = 20000;
 constexpr double kNearOrigin_m = 1000;
 constexpr double kLeastPull_m = 0.1;  // over the noise of a target from the air
 constexpr double kMostPull_m = 0.4;
@@ -145,10 +148,27 @@ struct SceneDrawing::Private {
     void placeOrigin(const ViewDescription& view) {
         const BoundingBox box = subjectBounds(view);
         if (box.empty()) return;
-        const bool near = (origin - box.centre()).norm() <= std::max(100.0, box.diagonal());
+        // A stray at 0,0,0 in a cloud on a map grid must not make its own places coarse.
+        const Eigen::Vector3d centre = box.diagonal() < kWidest_m ? box.centre() : middleOf(view);
+        const bool near = (origin - centre).norm() <= std::clamp(box.diagonal(), 100.0, kWidest_m);
         if (near && !layers.empty()) return;
         clear();
-        origin = box.centre().array().round();
+        origin = centre.array().round();
+    }
+
+    /// Where half of the points lie on either side, along each axis.
+    static Eigen::Vector3d middleOf(const ViewDescription& view) {
+        std::array<SampledRange, 3> along;
+        for (const ViewLayer& layer : view.layers) {
+            if (!isDrawn(layer) || !layer.geometry) continue;
+            const PointCloud& cloud = layer.geometry->vertices;
+            for (int axis = 0; axis < 3; ++axis)
+                along[static_cast<std::size_t>(axis)].sample(cloud.size(), [&](std::size_t i) {
+                    return (layer.worldFromLayer * cloud.point(i))[axis];
+                });
+        }
+        if (along[0].empty()) return Eigen::Vector3d::Zero();
+        return {along[0].quantile(0.5), along[1].quantile(0.5), along[2].quantile(0.5)};
     }
 
     void clear() {

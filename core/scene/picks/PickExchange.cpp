@@ -31,11 +31,24 @@ std::string lineOf(const std::string& place, std::size_t line) {
     return place + " line " + std::to_string(line);
 }
 
+/// Farther outside of the layer than it is wide, and than a scene may be.
+bool isFar(const Layer& layer, const Eigen::Vector3d& position) {
+    if (!layer.data || layer.data->points->empty()) return false;
+    const BoundingBox box = layer.data->points->bounds().transformed(sceneFromLayer(layer));
+    const Eigen::Vector3d outside = position - position.cwiseMax(box.min).cwiseMin(box.max);
+    return outside.norm() > std::max(1000.0, box.diagonal());
+}
+
 Result<PickedPoint> pointOn(const SceneState& scene, const std::string& layer, const ListedPoint& point,
                             const std::string& place) {
     if (!scene.layer(layer))
         return fail(ErrorCode::input, "the case has no layer '" + cleanText(layer) + "'",
                     lineOf(place, point.line), "expected the id of a layer");
+    if (isFar(*scene.layer(layer), point.position))
+        return fail(
+            ErrorCode::input, "the point lies far away from everything in layer '" + cleanText(layer) + "'",
+            lineOf(place, point.line),
+            "expected metres of the scene; a list in shifted coordinates needs its shift added first");
     return pickAt(scene, layer, point.position);
 }
 

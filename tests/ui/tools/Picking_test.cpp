@@ -196,6 +196,17 @@ TEST(Picking, ADoubleClickThatEndsAPairLeavesTheTool) {
     EXPECT_EQ(driver.scene().measurements.size(), 1U);
 }
 
+TEST(Picking, TheSamePointTwiceIsNoRepeat) {
+    PickDriver driver;
+    driver.window().trigger("tool.distance");
+    driver.click(driver.at(kBoxCorner));
+    driver.click(driver.at(kBoxCorner));
+    EXPECT_TRUE(driver.scene().measurements.empty());
+    EXPECT_TRUE(driver.hint().contains("click the other one")) << driver.hint().toStdString();
+    driver.click(driver.at(kBoxCornerAlongX));
+    EXPECT_EQ(driver.scene().measurements.size(), 1U);
+}
+
 TEST(Picking, RepeatsAreComparedAsTheyAreMade) {
     PickDriver driver;
     driver.window().trigger("tool.distance");

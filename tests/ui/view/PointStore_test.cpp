@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/offscreen/OsMesaContext.h"
+#include "core/geometry/PointCloudBuilder.h"
 #include "tests/ui/view/Samples.h"
 #include "ui/view/OffscreenWindow.h"
 #include "ui/view/SceneDrawing.h"
@@ -52,6 +53,24 @@ QImage drawnAfresh(const ViewDescription& view) {
 }
 
 }  // namespace
+
+TEST(PointStore, AStrayFarAwayDoesNotMakeTheOthersCoarse) {
+    ViewDescription view = plainView(flatSquare(250), NamedView::top);
+    view.camera = fitCamera(bounds(view), NamedView::top, 400, 300);
+    const QImage alone = drawnAfresh(view);
+    PointCloudBuilder builder;
+    const PointCloud& square = view.layers[0].geometry->vertices;
+    for (std::size_t i = 0; i < square.size(); ++i) builder.add(square.point(i));
+    builder.add(Eigen::Vector3d::Zero());
+    auto strayed = std::make_shared<TriangleMesh>();
+    strayed->vertices = std::move(builder).build();
+    view.layers[0].geometry = strayed;
+    const QImage beside = drawnAfresh(view);
+    int different = 0;
+    for (int y = 0; y < alone.height(); ++y)
+        for (int x = 0; x < alone.width(); ++x) different += alone.pixel(x, y) != beside.pixel(x, y);
+    EXPECT_LT(different, alone.width() * alone.height() / 100);
+}
 
 TEST(PointStore, ALayerThatGoesLeavesThePagesOfTheOthers) {
     const ViewDescription both = twoLayers();

@@ -1,4 +1,5 @@
 #include "core/scene/picks/PickExchange.h"
+#include "core/geometry/PointCloudBuilder.h"
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,20 @@ TEST(PickExchange, PlainPointsArePairsOfTheTarget) {
     const ImportedPicks more = imported(scene, "0,0,9\n5,0,9\n", {"Length of the vehicle", "aerial"});
     EXPECT_EQ(more.changed[0].picks.at("aerial").size(), 3u) << "behind those that are there";
     EXPECT_EQ(more.changed[0].tape_m, 4.93);
+}
+
+TEST(PickExchange, PointsInShiftedCoordinatesAreRefused) {
+    SceneState scene = test::sampleScene();
+    PointCloudBuilder builder;
+    for (int i = 0; i < 10; ++i) builder.add(Eigen::Vector3d(483000.0 + i, 4375000, 30));
+    auto data = std::make_shared<LayerData>();
+    data->points = std::make_shared<const PointCloud>(std::move(builder).build());
+    scene.layers[0].data = data;
+    const PicksTarget target{"A", scene.layers[0].id};
+    EXPECT_EQ(refusalOf(scene, "483000,4375000,30\n483009,4375000,30\n", target), "");
+    EXPECT_NE(refusalOf(scene, "483000,4375000,30\n9,0,0\n", target)
+                  .find("picks.csv line 2: the point lies far away"),
+              std::string::npos);
 }
 
 TEST(PickExchange, WhatDoesNotFitIsSaidWithItsLine) {
