@@ -33,7 +33,7 @@ std::string lineOf(const std::string& place, std::size_t line) {
 
 /// Farther outside of the layer than it is wide, and than a scene may be.
 bool isFar(const Layer& layer, const Eigen::Vector3d& position) {
-    if (!layer.data || layer.data->points->empty()) return false;
+    if (!layer.data || !layer.data->points || layer.data->points->empty()) return false;
     const BoundingBox box = layer.data->points->bounds().transformed(sceneFromLayer(layer));
     const Eigen::Vector3d outside = position - position.cwiseMax(box.min).cwiseMin(box.max);
     return outside.norm() > std::max(1000.0, box.diagonal());
