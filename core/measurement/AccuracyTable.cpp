@@ -39,6 +39,9 @@ class Reader {
             reject(row.line, "the table has " + std::to_string(row.cells.size()) + " columns",
                    "expected " + std::to_string(kMostColumns) + " at most");
         for (const auto& cell : row.cells) columns.names.push_back(trimmed(cell));
+        if (columns.names.size() == 1 && columns.names[0].find(';') != std::string::npos)
+            reject(row.line, "the columns are parted by ';'",
+                   "expected ',' between them, and '.' in numbers");
         const auto find = [&](const std::string& name) {
             const auto found = std::find(columns.names.begin(), columns.names.end(), name);
             if (found == columns.names.end())

@@ -2216,6 +2216,10 @@
         <translation>略去最后一个完整三角形之后的角点</translation>
     </message>
     <message>
+        <source>decimal numbers with '.'</source>
+        <translation>以“.”为小数点的数字</translation>
+    </message>
+    <message>
         <source>different names</source>
         <translation>不同的名称</translation>
     </message>
@@ -3218,6 +3222,10 @@
     <message>
         <source>the number of points</source>
         <translation>点数</translation>
+    </message>
+    <message>
+        <source>the numbers of this row have decimal commas</source>
+        <translation>此行数字使用了逗号小数点</translation>
     </message>
     <message>
         <source>the numbers x, y and z</source>
@@ -4275,6 +4283,10 @@
         <translation>应为 %1 个，与第一行相同</translation>
     </message>
     <message>
+        <source>expected ',' between them, and '.' in numbers</source>
+        <translation>列之间应为“,”，数字中应为“.”</translation>
+    </message>
+    <message>
         <source>expected a name</source>
         <translation>应为名称</translation>
     </message>
@@ -4341,6 +4353,10 @@
     <message>
         <source>the column 'tape_m' holds no length</source>
         <translation>“tape_m”列中没有长度</translation>
+    </message>
+    <message>
+        <source>the columns are parted by ';'</source>
+        <translation>各列以“;”分隔</translation>
     </message>
     <message>
         <source>the damage has fewer than two points</source>
@@ -6575,6 +6591,10 @@
         <translation>%1属于 %2 的另一部分，应为 %3 个点，实为 %4</translation>
     </message>
     <message>
+        <source>'%1' has a decimal comma</source>
+        <translation>“%1”使用了逗号小数点</translation>
+    </message>
+    <message>
         <source>'%1' has another tape value here</source>
         <translation>“%1”在此处有另一个卷尺值</translation>
     </message>
@@ -6781,6 +6801,10 @@
     <message>
         <source>expected a and b of each pair, p1 to the last of each path</source>
         <translation>应为每对的 a 和 b，每条路径的 p1 至最后一点</translation>
+    </message>
+    <message>
+        <source>expected a decimal number with '.'</source>
+        <translation>应为以“.”为小数点的数字</translation>
     </message>
     <message>
         <source>expected a direction to look in</source>

@@ -9,6 +9,15 @@
 namespace vestige {
 namespace {
 
+/// Commas within numbers that something else parts.
+bool hasDecimalCommas(std::string_view text) {
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    bool within = false;
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        within = within || (text[i] == ',' && isDigit(text[i - 1]) && isDigit(text[i + 1]));
+    return within && text.find_first_of("; \t") != std::string_view::npos;
+}
+
 constexpr std::size_t kSampleRows = 1000;
 constexpr std::size_t kSampleValues = 1000000;
 constexpr std::size_t kLongestLine = 1 << 16;
@@ -128,6 +137,8 @@ class Recogniser {
         const bool anyName = std::any_of(names.begin(), names.end(), [](const auto& name) {
             return fieldOfName(name) != PointField::none;
         });
+        if (!anyName && hasDecimalCommas(text))
+            job_.refuseLine(line, "the numbers of this row have decimal commas", "decimal numbers with '.'");
         if (!names_.empty() || !anyName || promised_)
             job_.refuseLine(line, "this is neither a row of numbers nor a row of column names",
                             "x y z and what else there is of intensity, colour and normals, or their names");

@@ -78,7 +78,14 @@ Result<std::vector<TapeRow>> rowsOf(const Result<DelimitedText>& table, const st
     if (!columns.object) {
         const auto& cells = table->rows.front().cells;
         const bool plain = cells.size() == 2 && (cells[1].empty() || parseReal(cells[1]));
-        if (!plain) return fail(ErrorCode::input, "no column is called object", place + " line 1", kExpected);
+        if (!plain) {
+            std::string second = cells.size() == 2 ? cells[1] : std::string();
+            std::replace(second.begin(), second.end(), ',', '.');
+            if (parseReal(second))
+                return fail(ErrorCode::input, "'" + cleanText(cells[1]) + "' has a decimal comma",
+                            place + " line 1", "expected a decimal number with '.'");
+            return fail(ErrorCode::input, "no column is called object", place + " line 1", kExpected);
+        }
         columns.object = 0;
         columns.tape = 1;
         first = 0;

@@ -104,6 +104,19 @@ TEST(Malformed, TheErrorNamesTheLineOrByte) {
     expectRefused(folder / "m.ply", " ", ", line 1");
 }
 
+TEST(Malformed, DecimalCommasAreCalledThat) {
+    const TemporaryFolder folder;
+    for (const char* text : {"1,5 2,5 3,5\n", "1,5;2,5;3,5\n", "1,5\t2,5\t3,5\n"}) {
+        writeBytes(folder / "a.xyz", text);
+        const Result<LoadedGeometry> loaded = readGeometry(folder / "a.xyz");
+        ASSERT_FALSE(loaded) << text;
+        EXPECT_NE(loaded.error().sentence().find("decimal commas"), std::string::npos)
+            << loaded.error().sentence();
+    }
+    writeBytes(folder / "b.csv", "1,2,3\n4,5,6\n");
+    EXPECT_TRUE(readGeometry(folder / "b.csv")) << "commas part the columns here";
+}
+
 TEST(Malformed, CoordinatesBeyondAnyPlaceOnEarthAreRefused) {
     const TemporaryFolder folder;
     expectRefused(folder / "a.xyz", "1 2 3\n4 5e10 6\n", ", line 2");

@@ -68,6 +68,8 @@ TEST(AccuracyTable, ErrorsNameLineColumnAndExpectation) {
     EXPECT_EQ(
         errorOf("object,tape,lidar_m\nbox,1,1\n"),
         "table.csv:1: the table has no column 'tape_m'; expected the columns object,tape_m,<name>_m,...");
+    EXPECT_NE(errorOf("object;tape_m;lidar_m\nbox;0,7;0,7\n").find("the columns are parted by ';'"),
+              std::string::npos);
     EXPECT_EQ(errorOf("object,tape_m\nbox,1\n"),
               "table.csv:1: the table has no column of measured lengths; expected the columns "
               "object,tape_m,<name>_m,...");

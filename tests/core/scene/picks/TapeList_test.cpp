@@ -58,6 +58,7 @@ TEST(TapeList, WhatIsWrongIsSaidWithItsLine) {
     EXPECT_NE(refusalOf("").find("there are no rows"), std::string::npos);
     EXPECT_NE(refusalOf("name,tape,x\na,1,2\n").find("tape.csv line 1: no column is called object"),
               std::string::npos);
+    EXPECT_NE(refusalOf("Length 1;1,002\n").find("'1,002' has a decimal comma"), std::string::npos);
     EXPECT_NE(refusalOf("object,tape_m\n").find("no rows below the header"), std::string::npos);
     EXPECT_NE(refusalOf("object,tape_m\nA,1\n,2\n").find("tape.csv line 3: the object has no name"),
               std::string::npos);
