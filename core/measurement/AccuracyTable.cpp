@@ -92,7 +92,7 @@ class Reader {
         return object;
     }
 
-    [[noreturn]] void reject(std::size_t line, std::string message, std::string hint) const {
+    [[noreturn]] void reject(std::size_t line, const std::string& message, std::string hint) const {
         throw ErrorException{{ErrorCode::input, cleanText(message, kLongestSentence),
                               file_ + ":" + std::to_string(line), std::move(hint)}};
     }

@@ -182,6 +182,7 @@ ViewCamera filled(ViewCamera camera, const std::vector<Eigen::Vector3d>& sample)
 BoundingBox boxOf(const ViewDescription& view, const std::vector<Eigen::Vector3d>& sample) {
     constexpr std::size_t kFew = 50;
     BoundingBox box = boxOf(sample);
+    if (box.empty() && view.section && view.section->inverted) return subjectBounds(view);
     if (!view.section || view.section->inverted || sample.size() >= kFew) return box;
     const BoundingBox scene = subjectBounds(view);
     BoundingBox corners;

@@ -56,7 +56,7 @@ void StartButton::paintEvent(QPaintEvent*) {
     const QColor accent = styleColor("accent", theme);
     const QColor ground = palette().color(QPalette::Button);
     painter.setBrush(primary ? (over ? styleColor("accent-hover", theme) : accent)
-                              : (over ? styleColor("hover", theme) : ground));
+                             : (over ? styleColor("hover", theme) : ground));
     painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Link), 1.5)
                               : QPen(primary ? accent : palette().color(QPalette::Mid), 1));
     painter.drawRoundedRect(whole, 6, 6);
@@ -68,7 +68,7 @@ void StartButton::paintEvent(QPaintEvent*) {
     const int room = width() - left - kMargin;
     QFont title = font();
     title.setWeight(QFont::DemiBold);
-    const QColor ink = primary      ? QColor(Qt::white)
+    const QColor ink = primary       ? QColor(Qt::white)
                        : isEnabled() ? palette().color(QPalette::WindowText)
                                      : palette().color(QPalette::Disabled, QPalette::WindowText);
     painter.setPen(ink);

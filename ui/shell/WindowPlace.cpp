@@ -11,7 +11,11 @@ constexpr const char* kKey = "window/place";
 }  // namespace
 
 void placeWindow(QMainWindow& window) {
-    if (window.restoreGeometry(QSettings().value(kKey).toByteArray())) return;
+    if (window.restoreGeometry(QSettings().value(kKey).toByteArray())) {
+        // The whole screen is asked for anew each time.
+        window.setWindowState(window.windowState() & ~Qt::WindowFullScreen);
+        return;
+    }
     const QScreen* screen = QGuiApplication::primaryScreen();
     if (!screen) return;
     const QRect room = screen->availableGeometry();

@@ -76,6 +76,7 @@ WorkArea::WorkArea(const Workbench& bench, SceneView& view, ToolSwitch& tools, Q
     splitter->setSizes({246, 738, 416});
     column->addWidget(splitter, 1);
     connect(steps_, &StepBar::chosen, tabs_, &StepTabs::showStep);
+    connect(steps_, &StepBar::chosen, this, [this] { arriving_ = false; });
     connect(tabs_, &StepTabs::stepShown, steps_, &StepBar::setShown);
     steps_->setShown(WayStep::measure);
     connect(&bench_.document, &Document::replaced, this, [this] {

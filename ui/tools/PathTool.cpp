@@ -232,8 +232,14 @@ void PathTool::complete() {
     const std::string method = methodOfKey(document_.state(), key);
     selection_.setMethod(fitted ? fittedMethod(method) : method);
     selection_.setObject(object);
-    if (const auto place = lastPick(*document_.state().measurement(object), document_.state(), {}))
-        aids_.mover.select(PickHandle{object, place->layer, place->repeat, last, !pair});
+    // Repeats are added at the end of their own key.
+    const Measurement& held = *document_.state().measurement(object);
+    const auto repeats = [&](const auto& of) {
+        const auto found = of.find(key);
+        return found == of.end() ? std::size_t{0} : found->second.size();
+    };
+    if (const std::size_t count = pair ? repeats(held.picks) : repeats(held.paths); count > 0)
+        aids_.mover.select(PickHandle{object, key, count - 1, last, !pair});
     showPending(std::nullopt);
     tellHint();
     if (created) emit objectCreated(object);

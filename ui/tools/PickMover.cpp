@@ -153,11 +153,14 @@ void PickMover::paint(QPainter& painter, const ViewCamera& camera, const ViewThe
                  {handles, pointed_, active_, proposed_});
 }
 
-/// The pixel that a click for the point as it is would aim at: where its measured point is seen.
+/// The pixel that a click for the point as it is would aim at: where its measured point is seen, but for a
+/// surface's end, which lies on the line of sight itself.
 std::optional<QPoint> PickMover::aimOf(const SceneView& view, const PickHandle& handle) const {
     const PickedPoint* point = pointOf(document_.state(), handle);
     if (!point) return std::nullopt;
-    return pixelOf(view, scenePosition(document_.state(), *point));
+    PickedPoint aimed = *point;
+    if (aimed.fitted && aimed.fitted->mode == SnapMode::surface) aimed.position = aimed.fitted->position;
+    return pixelOf(view, scenePosition(document_.state(), aimed));
 }
 
 /// Why the end cannot go to that place; empty when it can.

@@ -28,7 +28,7 @@ class ViewMouse {
     explicit ViewMouse(PointUnder pointUnder) : pointUnder_(std::move(pointUnder)) {}
 
     void setPreset(NavigationPreset preset) { preset_ = preset; }
-    void setPivot(std::optional<Eigen::Vector3d> pivot) { fixedPivot_ = pivot; }
+    void setPivot(const std::optional<Eigen::Vector3d>& pivot) { fixedPivot_ = pivot; }
     /// Called for a middle click, with its position.
     void onMiddleClick(std::function<void(const QPoint&)> react) { middleClicked_ = std::move(react); }
 

@@ -38,6 +38,8 @@ CleaningReactions::CleaningReactions(const Workbench& bench, QObject* parent)
     actions.onTriggered("clean.keep", [this] { keepSelected(); });
     actions.onTriggered("clean.invert", [this] {
         const PointSelection::Sets others = bench_.points.others();
+        bench_.points.setReach(std::nullopt);
+        bench_.points.setBehind(0);
         CleaningStep step = bench_.points.step();
         step.how = "all but " + (step.how.empty() ? "nothing" : step.how);
         bench_.points.apply(others, Mode::replace, std::move(step));

@@ -67,8 +67,11 @@ void ExportReactions::exportReport(const std::filesystem::path& folder) {
 void ExportReactions::exportCsv(const std::filesystem::path& file) {
     bench_.jobs.run<std::vector<std::filesystem::path>>(
         tr("Writing %1").arg(toQt(file.filename())),
-        [scene = bench_.document.state(), measured = bench_.document.measured(),
+        [scene = bench_.document.state(), shown = bench_.document.measured(),
+         all = bench_.document.uncomputed().empty(),
          file](const JobControl&) -> Result<std::vector<std::filesystem::path>> {
+            // What is found in clouds may have been cancelled.
+            const MeasuredScene measured = all ? shown : measureScene(scene);
             std::vector<std::pair<std::filesystem::path, std::string>> tables{
                 {file, measurementsCsv(measured)}};
             const bool figures =
