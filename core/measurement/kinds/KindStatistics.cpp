@@ -173,7 +173,8 @@ void fillInterval(QuantityStatistic& statistic, int power) {
         centre > reach ? std::pow(centre - reach, 1.0 / power) : std::numeric_limits<double>::infinity();
 }
 
-QuantityStatistic statisticOf(const QuantityValue& first, const std::vector<double>& repeats, Shares shares) {
+QuantityStatistic statisticOf(const QuantityValue& first, const std::vector<double>& repeats,
+                              const Shares& shares) {
     QuantityStatistic statistic{first.key, first.label, first.unit, repeats};
     const auto n = static_cast<double>(repeats.size());
     for (const double value : repeats) statistic.mean += value / n;
