@@ -1,4 +1,5 @@
 #include "core/scene/Edits.h"
+#include "core/scene/edits/SwapEdit.h"
 
 namespace vestige {
 namespace {
@@ -66,43 +67,6 @@ class RemovePick final : public SceneEdit {
     PickedPair removed_;
 };
 
-class MovePick final : public SceneEdit {
-  public:
-    MovePick(std::string object, std::string layer, std::size_t repeat, bool second, PickedPoint point)
-        : object_(std::move(object)),
-          layer_(std::move(layer)),
-          repeat_(repeat),
-          second_(second),
-          other_(std::move(point)) {}
-
-    bool apply(SceneState& scene) override {
-        PickedPoint* end = find(scene);
-        if (!end || *end == other_) return false;
-        std::swap(*end, other_);
-        return true;
-    }
-    void revert(SceneState& scene) override { std::swap(*find(scene), other_); }
-    std::string describe() const override {
-        return "move pick " + object_ + ", repeat " + std::to_string(repeat_ + 1);
-    }
-
-  private:
-    PickedPoint* find(SceneState& scene) const {
-        Measurement* held = scene.measurement(object_);
-        if (!held) return nullptr;
-        const auto found = held->picks.find(layer_);
-        if (found == held->picks.end() || repeat_ >= found->second.size()) return nullptr;
-        PickedPair& pair = found->second[repeat_];
-        return second_ ? &pair.b : &pair.a;
-    }
-
-    std::string object_;
-    std::string layer_;
-    std::size_t repeat_;
-    bool second_;
-    PickedPoint other_;  ///< what is not in the scene: the new end, after apply() the old one
-};
-
 }  // namespace
 
 std::unique_ptr<SceneEdit> addPick(std::string object, std::string layer, PickedPair pair) {
@@ -115,7 +79,17 @@ std::unique_ptr<SceneEdit> removePick(std::string object, std::string layer, std
 
 std::unique_ptr<SceneEdit> movePick(std::string object, std::string layer, std::size_t repeat, bool second,
                                     PickedPoint point) {
-    return std::make_unique<MovePick>(std::move(object), std::move(layer), repeat, second, std::move(point));
+    std::string description = "move pick " + object + ", repeat " + std::to_string(repeat + 1);
+    const auto find = [object = std::move(object), layer = std::move(layer), repeat,
+                       second](SceneState& scene) -> PickedPoint* {
+        Measurement* held = scene.measurement(object);
+        if (!held) return nullptr;
+        const auto found = held->picks.find(layer);
+        if (found == held->picks.end() || repeat >= found->second.size()) return nullptr;
+        PickedPair& pair = found->second[repeat];
+        return second ? &pair.b : &pair.a;
+    };
+    return std::make_unique<SwapEdit<PickedPoint>>(std::move(description), find, std::move(point));
 }
 
 }  // namespace vestige
