@@ -955,6 +955,14 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <source>%1 repeats, %2, SD %3</source>
         <translation>%1 次测量，%2，标准差 %3</translation>
     </message>
+    <message>
+        <source>every figure of every kind</source>
+        <translation>每种测量的全部数值</translation>
+    </message>
+    <message>
+        <source>what each uncertainty is made of</source>
+        <translation>各不确定度的构成</translation>
+    </message>
 </context>
 <context>
     <name>TimeLeft</name>

@@ -33,6 +33,8 @@ QWidget* contentsList() {
     const std::pair<const char*, QString> rows[] = {
         {"report.pdf", QObject::tr("method, lengths, errors, pictures")},
         {"measurements.csv", QObject::tr("every length, every digit")},
+        {"quantities.csv", QObject::tr("every figure of every kind")},
+        {"uncertainty.csv", QObject::tr("what each uncertainty is made of")},
         {"accuracy.csv", QObject::tr("errors by method")},
         {"registration.json", QObject::tr("poses and what they are worth")},
         {"fused.las", QObject::tr("all registered scans as one cloud")},
