@@ -52,9 +52,12 @@ bool asksOnlyForWords(int argc, char** argv) {
 }
 
 /// A sentence of ours where Qt would end the program.
-bool hasDisplay() {
+bool hasDisplay(int argc, char** argv) {
     const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
-    return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+    const bool chosen = std::any_of(argv + 1, argv + argc, [](const std::string_view argument) {
+        return argument == "-platform" || argument == "--platform";
+    });
+    return chosen || set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
 }
 
 /// Until it is closed, or stands where only the time of its start is asked. What is open then stands in
@@ -91,7 +94,7 @@ int run(int argc, char** argv) {
         const QCoreApplication words(argc, argv);
         parser.process(words);
     }
-    if (!hasDisplay()) {
+    if (!hasDisplay(argc, argv)) {
         std::cerr << "vestige: there is no display to open a window on; vestige-cli does the same work "
                      "without one\n";
         return 3;

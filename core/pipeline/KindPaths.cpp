@@ -1,5 +1,6 @@
 #include "core/pipeline/KindPaths.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/measurement/kinds/KindSpec.h"
@@ -24,13 +25,21 @@ std::pair<const PickedPath*, bool> lastPath(const SceneState& scene, const Measu
     return last;
 }
 
+/// A path without any feature is a row of the fitted method by its points: these are drawn then.
+bool standsIn(const MeasuredScene& measured, const MeasuredKind& plain, const std::string& method) {
+    return fittedMethod(plain.method) == method &&
+           std::none_of(measured.kinds.begin(), measured.kinds.end(), [&](const MeasuredKind& kind) {
+               return kind.object == plain.object && kind.method == method;
+           });
+}
+
 }  // namespace
 
 std::vector<ViewPath> measurementPaths(const SceneState& scene, const MeasuredScene& measured,
                                        const std::string& method, const std::string& selected) {
     std::vector<ViewPath> paths;
     for (const MeasuredKind& kind : measured.kinds) {
-        if (!method.empty() && kind.method != method) continue;
+        if (!method.empty() && kind.method != method && !standsIn(measured, kind, method)) continue;
         const Measurement* measurement = scene.measurement(kind.object);
         if (!measurement || kindSpec(kind.kind).isPair()) continue;
         const auto [picked, fitted] = lastPath(scene, *measurement, kind.method);

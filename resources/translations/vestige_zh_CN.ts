@@ -1252,8 +1252,8 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <translation>不限</translation>
     </message>
     <message>
-        <source>%1 of them lie more than 1 m behind what is seen from there. A Depth leaves them out; none takes everything under the outline.</source>
-        <translation>其中 %1 个点位于所见表面之后 1 m 以上。设置“深度”可将其排除；不设则取轮廓下的全部点。</translation>
+        <source>Up to %1 of them lie more than 1 m behind what is seen from there. A Depth leaves them out; none takes everything under the outline.</source>
+        <translation>其中至多 %1 个点位于所见表面之后 1 m 以上。设置“深度”可将其排除；不设则取轮廓下的全部点。</translation>
     </message>
 </context>
 <context>
@@ -1365,8 +1365,8 @@ The method: Zhang, Guan, Liu, Zhang, World Electr. Veh. J. 2025, 16(3), 171.</so
         <translation>该处没有点。</translation>
     </message>
     <message>
-        <source>%1 of the points selected lie behind what is seen; a Depth leaves them out</source>
-        <translation>所选点中有 %1 个位于所见表面之后；设置“深度”可将其排除</translation>
+        <source>up to %1 of the points selected lie behind what is seen; a Depth leaves them out</source>
+        <translation>所选点中至多有 %1 个位于所见表面之后；设置“深度”可将其排除</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,8 +45,9 @@ class PointSelection : public QObject {
     std::optional<std::pair<double, double>> reach() const { return reach_; }
     void setReach(std::optional<std::pair<double, double>> reach) { reach_ = reach; }
 
-    /// How many of the points that the last outline took were not to be seen, as they lie behind others.
-    std::size_t behind() const { return behind_; }
+    /// At most so many of the selected points were not to be seen when outlines took them, as they lie behind
+    /// others.
+    std::size_t behind() const { return std::min(behind_, size()); }
     void setBehind(std::size_t count) { behind_ = count; }
 
   signals:

@@ -154,7 +154,7 @@ void CleanPanel::describeSelected() {
     const std::size_t count = points_.size();
     behind_->setVisible(count > 0 && points_.behind() > 0);
     behind_->setText(
-        tr("%1 of them lie more than 1 m behind what is seen from there. A Depth leaves them out; "
+        tr("Up to %1 of them lie more than 1 m behind what is seen from there. A Depth leaves them out; "
            "none takes everything under the outline.")
             .arg(QString::fromStdString(grouped(points_.behind()))));
     if (count == 0) {

@@ -115,12 +115,15 @@ void CleaningTools::select(const std::vector<Eigen::Vector2d>& corners, Qt::Keyb
         [this, asked, mode, how](Result<Found> found) {
             if (!found) return bench_.notices.failed(found.error());
             bench_.points.setReach(found->reach);
-            bench_.points.setBehind(mode == PointSelection::Mode::subtract ? 0 : found->behind);
+            // Outlines may overlap: an upper bound, which no later outline hides.
+            const bool anew = mode == PointSelection::Mode::replace;
+            const bool taken = mode == PointSelection::Mode::subtract;
+            bench_.points.setBehind((anew ? 0 : bench_.points.behind()) + (taken ? 0 : found->behind));
             bench_.points.apply(found->sets, mode, {how, wordsOf(asked, *found), 0});
             if (bench_.points.size() == 0) return bench_.notices.inform(tr("No point lies there."));
             if (bench_.points.behind() == 0) return;
             const QString sentence =
-                tr("%1 of the points selected lie behind what is seen; a Depth leaves them out")
+                tr("up to %1 of the points selected lie behind what is seen; a Depth leaves them out")
                     .arg(QString::fromStdString(grouped(bench_.points.behind())));
             // After the tool's own hint, which comes when the event that closed the outline ends.
             QMetaObject::invokeMethod(

@@ -43,8 +43,9 @@ class ScenePresenter : public QObject {
     /// Fills the view with the selected layer, else the one whose registration is described, seen from where
     /// the camera is.
     void showLayer();
-    /// Fills the view with a box of the scene, seen from where the camera is.
+    /// Fills the view with what was measured of the selected object and some room round it.
     void showObject();
+    /// Fills the view with a box of the scene, seen from where the camera is.
     void showBox(const BoundingBox& box);
     /// Shows again what is selected and hidden.
     void refreshPoints();

@@ -47,9 +47,9 @@ bool byHeight(const ViewDescription& view) {
     return view.overlay == Overlay::none && view.colorMode == ColorMode::height;
 }
 
-/// Moved in the display frame, points keep their digits while they are this near to its origin, metres.
 /// A scene wider than this has strays.
 constexpr double kWidest_m = 20000;
+/// Moved in the display frame, points keep their digits while they are this near to its origin, metres.
 constexpr double kNearOrigin_m = 1000;
 constexpr double kLeastPull_m = 0.1;  // over the noise of a target from the air
 constexpr double kMostPull_m = 0.4;

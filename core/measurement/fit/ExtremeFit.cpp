@@ -123,6 +123,7 @@ std::optional<EndFit> meanUpperEnd(std::vector<double> values, double noise, dou
     if (!likelihood) return std::nullopt;
     constexpr int kThicknesses = 13;
     constexpr int kPlaces = 61;
+    constexpr double kStep = 0.1;  // of the noise, from place to place
     const double top = values[static_cast<std::size_t>(0.97 * static_cast<double>(values.size() - 1))];
     struct Case {
         double place, thickness, misfit;
@@ -132,7 +133,7 @@ std::optional<EndFit> meanUpperEnd(std::vector<double> values, double noise, dou
     for (int i = 0; i < kThicknesses; ++i) {
         const double thickness = 0.25 * i * noise;
         for (int k = 0; k < kPlaces; ++k) {
-            const double place = top + noise * (0.1 * k - 4.5);
+            const double place = top + noise * (kStep * k - 4.5);
             const double misfit = (*likelihood)(place, thickness) + 0.25 * i;
             cases.push_back({place, thickness, misfit});
             least = std::min(least, misfit);
@@ -150,7 +151,10 @@ std::optional<EndFit> meanUpperEnd(std::vector<double> values, double noise, dou
     }
     fit.place /= sum;
     fit.thickness /= sum;
-    fit.standardUncertainty = std::sqrt(squares / sum - (fit.place - top) * (fit.place - top));
+    // All the weight on one place: it is still known no better than the places lie apart.
+    const double spread = squares / sum - (fit.place - top) * (fit.place - top);
+    const double step = kStep * noise;
+    fit.standardUncertainty = std::sqrt(step * step / 12 + std::max(0.0, spread));
     fit.used = likelihood->values.size();
     return fit;
 }

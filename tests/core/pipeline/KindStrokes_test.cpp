@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/pipeline/KindPaths.h"
+#include "core/scene/MeasuredScene.h"
+
 namespace vestige {
 namespace {
 
@@ -22,6 +25,38 @@ TEST(KindStrokes, ADistanceToAPlaneIsItsPerpendicular) {
     EXPECT_LT((strokes[0].points[1] - Vec(5, 5, 0)).norm(), 1e-12);
     EXPECT_TRUE(strokes[1].closed);
     EXPECT_EQ(strokes[1].points, kPlane);
+}
+
+TEST(KindPaths, APathWithoutFeaturesIsDrawnUnderTheFittedMethodByItsPoints) {
+    SceneState scene;
+    Layer layer;
+    layer.id = "aerial";
+    layer.role = LayerRole::aerial;
+    layer.method = "lidar";
+    scene.layers.push_back(layer);
+    scene.target = "aerial";
+    Measurement plain;
+    plain.object = "plain";
+    plain.kind = MeasurementKind::polyline;
+    PickedPath path{{"aerial", {0, 0, 0}, 0.01}, {"aerial", {2, 0, 0}, 0.01}, {"aerial", {2, 1, 0}, 0.01}};
+    plain.paths["aerial"] = {path};
+    Measurement fitted = plain;
+    fitted.object = "fitted";
+    FittedFeature edge;
+    edge.mode = SnapMode::edge;
+    edge.position = {0.1, 0, 0};
+    edge.axis = {0, 1, 0};
+    edge.covariance = Eigen::Matrix3d::Identity() * 1e-6;
+    fitted.paths["aerial"][0][0].fitted = edge;
+    scene.measurements = {plain, fitted};
+    const MeasuredScene measured = measureScene(scene);
+    const std::string method = measured.lengths.front().method;
+    for (const std::string& shown : {method, fittedMethod(method)}) {
+        const auto paths = measurementPaths(scene, measured, shown);
+        ASSERT_EQ(paths.size(), 2U) << shown;
+        EXPECT_EQ(paths[0].points.front(), Vec(0, 0, 0));
+        EXPECT_EQ(paths[1].points.front(), shown == method ? Vec(0, 0, 0) : Vec(0.1, 0, 0)) << "each once";
+    }
 }
 
 TEST(KindStrokes, BetweenPlanesAsManyPointsAsTheSettingSays) {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/measurement/fit/ExtremeFit.h"
 #include "core/measurement/fit/FittedLength.h"
 #include "core/measurement/fit/Snap.h"
 #include "tests/core/measurement/fit/FitClouds.h"
@@ -35,6 +38,16 @@ TEST(SurfaceFit, OfAFlatSurfaceItIsTheMeanWithTheUncertaintyItSays) {
     }
     EXPECT_LT(std::sqrt(squares / kTrials), 0.4 * kNoise);
     EXPECT_GT(within, 0.9 * kTrials);
+}
+
+TEST(SurfaceFit, ManyPointsAreNoCertainty) {
+    for (const std::size_t count : {100U, 5000U, 200000U}) {
+        const auto end = meanUpperEnd(std::vector<double>(count, 1.25), kNoise);
+        ASSERT_TRUE(end);
+        // No finer than the places that are tried.
+        EXPECT_GE(end->standardUncertainty, 0.1 * kNoise / std::sqrt(12.0) * (1 - 1e-9)) << count;
+        EXPECT_LT(end->standardUncertainty, kNoise) << count;
+    }
 }
 
 TEST(SurfaceFit, OfAHandleBeforeItsDoorItIsTheHandle) {
