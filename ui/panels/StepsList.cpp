@@ -2,9 +2,30 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTextLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace vestige {
+namespace {
+
+/// In lines of at most that width: between words, and within what has no blanks (Chinese, names of files).
+QString broken(const QString& text, const QFont& font, int width) {
+    QTextLayout layout(text, font);
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    QStringList lines;
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(std::max(40, width));
+        lines << text.mid(line.textStart(), line.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return lines.join('\n');
+}
+
+}  // namespace
 
 StepsList::StepsList(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
     column_->setContentsMargins(0, 0, 0, 0);
@@ -54,22 +75,9 @@ void StepsList::resizeEvent(QResizeEvent* event) {
 
 /// Buttons break no lines by themselves.
 void StepsList::wrap() {
-    for (int i = 0; i < column_->count(); ++i) {
-        auto* link = qobject_cast<QPushButton*>(column_->itemAt(i)->widget());
-        if (!link) continue;
-        QString text;
-        QString line;
-        for (const QString& word : link->accessibleName().split(' ')) {
-            const QString longer = line.isEmpty() ? word : line + ' ' + word;
-            if (line.isEmpty() || link->fontMetrics().horizontalAdvance(longer) <= width() - 4) {
-                line = longer;
-                continue;
-            }
-            text += line + '\n';
-            line = word;
-        }
-        link->setText(text + line);
-    }
+    for (int i = 0; i < column_->count(); ++i)
+        if (auto* link = qobject_cast<QPushButton*>(column_->itemAt(i)->widget()))
+            link->setText(broken(link->accessibleName(), link->font(), width() - 4));
 }
 
 }  // namespace vestige
