@@ -12,6 +12,9 @@ Result<FittedFeature> snapPick(const Layer& layer, const Eigen::Vector3d& world_
                                ClipRegion clips) {
     if (!layer.data || !layer.data->octree)
         return fail(ErrorCode::input, "the layer is not loaded", layer.name);
+    if (!pointsErrApart(layer.role))
+        return fail(ErrorCode::input, "points of photogrammetry err together, which no fit averages out",
+                    layer.name);
     SnapRequest request;
     request.octree = layer.data->octree.get();
     request.sceneFromLayer = sceneFromLayer(layer);

@@ -299,6 +299,10 @@ std::string fittedMethod(const std::string& method) {
     return method + " fitted";
 }
 
+bool pointsErrApart(LayerRole role) {
+    return role != LayerRole::photogrammetry;
+}
+
 SensorSpot sensorSpot(LayerRole role) {
     return role == LayerRole::aerial ? SensorSpot{radians(0.28), radians(0.03)} : SensorSpot{};
 }

@@ -62,5 +62,9 @@ double sensorBeam_m(LayerRole role);
 /// 1 sigma noise of a layer's sensor: METHOD section 1 (aerial 0.03 m, handheld 0.0001 m, photogrammetry 0.05
 /// m).
 double sensorNoise_m(LayerRole role);
+/// Whether neighbouring points err apart from each other, as every fit supposes that averages them. Not in
+/// photogrammetry: its depths err together over patches as large as what is fitted, so that a fit would claim
+/// to know a place to millimetres that is centimetres off.
+bool pointsErrApart(LayerRole role);
 
 }  // namespace vestige

@@ -4702,6 +4702,10 @@
         <translation>图片 %1</translation>
     </message>
     <message>
+        <source>points of photogrammetry err together, which no fit averages out</source>
+        <translation>摄影测量的点误差相关，拟合无法将其平均掉</translation>
+    </message>
+    <message>
         <source>reading %1</source>
         <translation>正在读取 %1</translation>
     </message>

@@ -2486,6 +2486,10 @@ Choose Distance above the view and click the two ends of an object, three times.
         <source>Features can be fitted once all points of this layer are read.</source>
         <translation>须待此图层的点全部读取后才能拟合特征。</translation>
     </message>
+    <message>
+        <source>Points of photogrammetry err together, which no fit averages out: snap to points.</source>
+        <translation>摄影测量的点误差相关，拟合无法将其平均掉：请捕捉到点。</translation>
+    </message>
 </context>
 <context>
     <name>vestige::PictureBar</name>

@@ -143,6 +143,11 @@ std::shared_ptr<const PickProbe::Question> PickProbe::question(SceneView& view, 
         place.problem = tr("Features can be fitted once all points of this layer are read.");
         return nullptr;
     }
+    if (!pointsErrApart(layer->role)) {
+        place.problem =
+            tr("Points of photogrammetry err together, which no fit averages out: snap to points.");
+        return nullptr;
+    }
     auto asked = std::make_shared<Question>();
     asked->mode = place.snap;
     asked->layer = layer->id;
